@@ -1,0 +1,7 @@
+//! The reference: every stage as a plain loop, infallible, and the same as its kernel to the bit on lavapipe.
+//!
+//! A stage's arguments are the kernel's `read` bindings, its results the `read_write` ones. Where a kernel would
+//! clamp an index, its twin panics: the tests run both, so the twin is the kernels' sanitizer.
+
+pub mod shade;
+pub mod trace;

@@ -1,0 +1,3 @@
+//! Twins of `wgsl/shade`.
+
+pub mod phong;

@@ -1,0 +1,129 @@
+//! Twins of `wgsl/trace`: the ray tracer's stages, over all cores.
+
+pub mod cast;
+pub mod follow;
+pub mod gather;
+pub mod meet;
+pub mod scatter;
+pub mod surface;
+pub mod walk;
+
+use std::convert::Infallible;
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::tables::{GROUP, Slice, Status, Tables};
+use crate::trace::{Paths, Trace};
+
+/// The ray tracer on the CPU.
+#[derive(Debug)]
+pub struct CpuTrace<'a> {
+    tables: &'a Tables,
+    status: Status,
+}
+
+impl<'a> CpuTrace<'a> {
+    /// A tracer of one scene.
+    #[must_use]
+    pub fn new(tables: &'a Tables) -> Self {
+        Self { tables, status: bytemuck::Zeroable::zeroed() }
+    }
+
+    /// What the stages have told since the last [`Trace::settle`].
+    #[must_use]
+    pub fn status(&self) -> Status {
+        self.status
+    }
+}
+
+fn both(a: Status, b: Status) -> Status {
+    Status {
+        groups: a.groups + b.groups,
+        pixels: a.pixels + b.pixels,
+        flags: a.flags | b.flags,
+        turns: a.turns.max(b.turns),
+    }
+}
+
+const SILENT: Status = Status { groups: 0, pixels: 0, flags: 0, turns: 0 };
+const ONE_GROUP: Status = Status { groups: 1, ..SILENT };
+
+impl Trace for CpuTrace<'_> {
+    type Paths = Paths;
+    type Error = Infallible;
+
+    fn most_pixels(&self) -> u32 {
+        // 1.5 MiB of paths stay in the cache from stage to stage.
+        1 << 14
+    }
+
+    fn budget(&self) -> u32 {
+        u32::MAX
+    }
+
+    fn rounds(&self) -> u32 {
+        1
+    }
+
+    fn begin(&mut self, pixels: Range<u32>) -> Result<Paths, Infallible> {
+        Ok(Paths::new(pixels, self.tables.settings.max_depth))
+    }
+
+    fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        let group = GROUP as usize;
+        let view = &self.tables.view;
+        let told = paths.paths.par_chunks_mut(group).enumerate().map(|(g, paths)| {
+            for (path, i) in paths.iter_mut().zip(g as u32 * GROUP..) {
+                cast::cast(view, slice, i, path);
+            }
+            ONE_GROUP
+        });
+        self.status = both(self.status, told.reduce(|| SILENT, both));
+        Ok(())
+    }
+
+    fn follow(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        let group = GROUP as usize;
+        let depth = self.tables.settings.max_depth as usize;
+        let tables = self.tables;
+        let stacks = paths.waiting.par_chunks_mut(group * depth);
+        let told = paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, stacks))| {
+            let mut status = ONE_GROUP;
+            for ((path, stack), i) in paths.iter_mut().zip(stacks.chunks_mut(depth)).zip(g as u32 * GROUP..) {
+                follow::follow(tables, slice, i, path, stack, &mut status);
+            }
+            status
+        });
+        self.status = both(self.status, told.reduce(|| SILENT, both));
+        Ok(())
+    }
+
+    fn gather(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        let group = GROUP as usize;
+        let film = paths.sums.par_chunks_mut(group).zip(paths.ids.par_chunks_mut(group));
+        let told = paths.paths.par_chunks_mut(group).zip(film).map(|(paths, (sums, ids))| {
+            let mut status = ONE_GROUP;
+            for ((path, sum), id) in paths.iter_mut().zip(sums).zip(ids) {
+                status.pixels += gather::gather(slice, path, sum, id);
+            }
+            status
+        });
+        self.status = both(self.status, told.reduce(|| SILENT, both));
+        Ok(())
+    }
+
+    fn settle(&mut self, _paths: &mut Paths) -> Result<u32, Infallible> {
+        let done = self.status.pixels;
+        self.status = SILENT;
+        Ok(done)
+    }
+
+    fn end(&mut self, paths: Paths) -> Result<Paths, Infallible> {
+        Ok(paths)
+    }
+
+    fn ease(&mut self, error: Infallible) -> Result<(), Infallible> {
+        Err(error)
+    }
+}

@@ -1,0 +1,22 @@
+//! finished ray trees -> sums on the film
+
+use crate::tables::{DONE, IDLE, Path, Slice};
+
+/// Adds a finished tree to its pixel; returns 1 if that was the pixel's last sample.
+///
+/// `sum`: red, green, blue and the number of samples in the sum.
+pub fn gather(slice: &Slice, path: &mut Path, sum: &mut [f32; 4], id: &mut u32) -> u32 {
+    if path.state != DONE {
+        return 0;
+    }
+    let one = [path.radiance.x, path.radiance.y, path.radiance.z, 1.0];
+    for (sum, one) in sum.iter_mut().zip(one) {
+        *sum += one;
+    }
+    if path.sample == 0 {
+        *id = path.seen;
+    }
+    path.sample += 1;
+    path.state = IDLE;
+    u32::from(path.sample == slice.samples)
+}

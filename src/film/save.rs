@@ -1,0 +1,112 @@
+//! a picture -> a file, whole or not at all
+
+use std::io::{Cursor, Write as _};
+use std::path::{Path, PathBuf};
+
+use image::{ImageFormat, RgbImage};
+
+/// Why a picture has not been written.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The name's ending is none that we write.
+    #[error("{}: a picture's name ends in .png, .tga or .ppm", .0.display())]
+    Ending(PathBuf),
+    /// The picture does not fit the format.
+    #[error("{}: {source}", path.display())]
+    Encode {
+        /// The file that was to be written.
+        path: PathBuf,
+        /// What the encoder says.
+        source: image::ImageError,
+    },
+    /// The folder or disk refused.
+    #[error("{}: cannot write: {source} (a picture that stood here before is untouched)", path.display())]
+    Write {
+        /// The file that was to be written.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+}
+
+/// A picture format that we write.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// PNG, 8 bits a channel.
+    Png,
+    /// Truevision TGA, run-length encoded.
+    Tga,
+    /// Binary PPM (P6).
+    Ppm,
+}
+
+impl Format {
+    /// The format that a file's ending asks for.
+    ///
+    /// # Errors
+    /// [`Error::Ending`] if it is none of ours.
+    pub fn of(path: &Path) -> Result<Self, Error> {
+        let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        match ending.as_deref() {
+            Some("png") => Ok(Self::Png),
+            Some("tga") => Ok(Self::Tga),
+            Some("ppm") => Ok(Self::Ppm),
+            _ => Err(Error::Ending(path.to_owned())),
+        }
+    }
+
+    /// The file's bytes.
+    ///
+    /// # Errors
+    /// If the picture does not fit the format.
+    pub fn encode(self, picture: &RgbImage) -> Result<Vec<u8>, image::ImageError> {
+        let mut bytes = Cursor::new(Vec::new());
+        let format = match self {
+            Self::Png => ImageFormat::Png,
+            Self::Tga => ImageFormat::Tga,
+            Self::Ppm => ImageFormat::Pnm,
+        };
+        picture.write_to(&mut bytes, format)?;
+        Ok(bytes.into_inner())
+    }
+}
+
+/// Writes a picture in the format of its name's ending, whole or not at all.
+///
+/// # Errors
+/// If the ending is unknown, or the folder or disk refuses; what stood there before is then untouched.
+pub fn write_whole(path: &Path, picture: &RgbImage) -> Result<(), Error> {
+    let bytes =
+        Format::of(path)?.encode(picture).map_err(|source| Error::Encode { path: path.to_owned(), source })?;
+    replace(path, &bytes).map_err(|source| Error::Write { path: path.to_owned(), source })
+}
+
+/// Encoded in memory, written beside its target, flushed to the disk, and only then given its name:
+/// `image`'s own `save` returned Ok for a truncated file on a full disk.
+fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    if path.is_dir() {
+        return Err(std::io::Error::other("a folder has this name"));
+    }
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".twinlight-").suffix(".part");
+    #[cfg(unix)]
+    {
+        // As an ordinary new file would get it: what the umask leaves of this.
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.flush()?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|e| e.error)?;
+    // So that the name too survives a power cut; not every file system can be asked.
+    if let Ok(folder) = std::fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
+    Ok(())
+}

@@ -1,0 +1,203 @@
+//! The other half of the twins: adapter, device and kernels. The only place that knows wgpu and naga.
+
+mod buffer;
+mod error;
+mod kernel;
+mod pace;
+mod trace;
+pub mod wgsl;
+
+pub use buffer::Buffer;
+pub use error::Error;
+pub use kernel::{Binding, Kernel, parse};
+pub use trace::{GpuPaths, GpuTrace};
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// How long a wait for the device may take: a liveness guard, not a budget. Slices are cut to a quarter of a
+/// second; the rest is for a machine that does a hundred other things.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// Which adapter to use.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Wanted {
+    /// A hardware GPU if there is one, else a software adapter.
+    #[default]
+    Best,
+    /// A software adapter if there is one: the same on every machine, so the tests ask for it.
+    Software,
+    /// The first whose name or driver contains this, whatever the case of its letters.
+    Named(String),
+}
+
+/// An adapter that is there.
+#[derive(Debug, Clone)]
+pub struct Adapter {
+    raw: wgpu::Adapter,
+    /// Its name, as its driver tells it.
+    pub name: String,
+    /// Driver and version.
+    pub driver: String,
+    /// Vulkan, Metal or DX12.
+    pub api: String,
+    /// "GPU", "integrated GPU", "virtual GPU", "software" or "other".
+    pub kind: &'static str,
+    software: bool,
+}
+
+/// Every adapter of this machine, the best first.
+#[must_use]
+pub fn adapters() -> Vec<Adapter> {
+    let found = catch_unwind(|| {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+            backends: wgpu::Backends::PRIMARY,
+            ..wgpu::InstanceDescriptor::new_without_display_handle()
+        });
+        pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY))
+    });
+    // A driver that panics while it is asked is one that cannot be used.
+    let mut adapters: Vec<_> = found.unwrap_or_default().into_iter().map(Adapter::new).collect();
+    adapters.sort_by_key(|a| {
+        ["GPU", "integrated GPU", "virtual GPU", "other", "software"].iter().position(|k| *k == a.kind)
+    });
+    adapters
+}
+
+impl Adapter {
+    fn new(raw: wgpu::Adapter) -> Self {
+        let info = raw.get_info();
+        let kind = match info.device_type {
+            wgpu::DeviceType::DiscreteGpu => "GPU",
+            wgpu::DeviceType::IntegratedGpu => "integrated GPU",
+            wgpu::DeviceType::VirtualGpu => "virtual GPU",
+            wgpu::DeviceType::Cpu => "software",
+            wgpu::DeviceType::Other => "other",
+        };
+        Self {
+            name: info.name,
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            api: format!("{:?}", info.backend),
+            kind,
+            software: kind == "software",
+            raw,
+        }
+    }
+
+    /// Whether this is the adapter that `wanted` asks for.
+    #[must_use]
+    pub fn is(&self, wanted: &Wanted) -> bool {
+        match wanted {
+            Wanted::Best => true,
+            Wanted::Software => self.software,
+            Wanted::Named(name) => {
+                format!("{} {}", self.name, self.driver).to_lowercase().contains(&name.to_lowercase())
+            }
+        }
+    }
+
+    /// The limits that matter to us: bytes of one storage binding, storage bindings of a kernel, invocations of a
+    /// workgroup.
+    #[must_use]
+    pub fn limits(&self) -> [u64; 3] {
+        let limits = self.raw.limits();
+        [
+            limits.max_storage_buffer_binding_size,
+            u64::from(limits.max_storage_buffers_per_shader_stage),
+            u64::from(limits.max_compute_invocations_per_workgroup),
+        ]
+    }
+}
+
+/// One device and its queue. A process needs one.
+#[derive(Debug)]
+pub struct Gpu {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    adapter: Adapter,
+    lost: Arc<AtomicBool>,
+    complaint: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens the adapter that is asked for.
+    ///
+    /// # Errors
+    /// [`Error::NoAdapter`] if there is none such, [`Error::Device`] if it gives no device.
+    pub fn open(wanted: &Wanted) -> Result<Self, Error> {
+        let all = adapters();
+        let names = all.iter().map(|a| a.name.clone()).collect();
+        let adapter = all.into_iter().find(|a| a.is(wanted));
+        let adapter = adapter.ok_or(Error::NoAdapter { wanted: wanted.clone(), names })?;
+        // WebGPU's default limits, so that what runs here runs on every adapter.
+        let descriptor = wgpu::DeviceDescriptor { label: Some("twinlight"), ..wgpu::DeviceDescriptor::default() };
+        let asked = catch_unwind(AssertUnwindSafe(|| pollster::block_on(adapter.raw.request_device(&descriptor))));
+        let (device, queue) = match asked {
+            Ok(Ok(pair)) => pair,
+            Ok(Err(error)) => return Err(Error::Device(error.to_string())),
+            Err(_) => return Err(Error::Device("its driver failed while it was opened".to_owned())),
+        };
+        let lost = Arc::new(AtomicBool::new(false));
+        let complaint = Arc::new(Mutex::new(None));
+        // No locks in this one: it may be called from within any other call.
+        let lost_too = Arc::clone(&lost);
+        device.set_device_lost_callback(move |_, _| lost_too.store(true, Ordering::Release));
+        let first = Arc::clone(&complaint);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+        }));
+        Ok(Self { device, queue, adapter, lost, complaint })
+    }
+
+    /// The adapter behind it.
+    #[must_use]
+    pub fn adapter(&self) -> &Adapter {
+        &self.adapter
+    }
+
+    /// Whether it computes as Rust does, operation by operation: measured of Mesa's llvmpipe alone.
+    #[must_use]
+    pub fn exact(&self) -> bool {
+        self.adapter.software && self.adapter.name.starts_with("llvmpipe")
+    }
+
+    /// How long one slice of work should take at most. Watchdogs kill at 2 s (Windows), 640 ms (i915) or a few
+    /// 100 ms (macOS); a software adapter has none.
+    #[must_use]
+    pub fn slice_time(&self) -> Duration {
+        Duration::from_millis(if self.adapter.software { 250 } else { 50 })
+    }
+
+    /// The first validation message since the last call, if there was one.
+    #[must_use]
+    pub fn complaint(&self) -> Option<String> {
+        self.complaint.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    /// Submits recorded work and waits for its end.
+    fn finish(&self, encoder: wgpu::CommandEncoder) -> Result<(), Error> {
+        let work = AssertUnwindSafe(|| {
+            let submission = self.queue.submit([encoder.finish()]);
+            let wait = wgpu::PollType::Wait { submission_index: Some(submission), timeout: Some(PATIENCE) };
+            self.device.poll(wait)
+        });
+        // wgpu 30 panics in `poll` when the device is really lost.
+        let waited = catch_unwind(work);
+        if self.lost.load(Ordering::Acquire) || waited.is_err() {
+            return Err(Error::Lost);
+        }
+        if let Some(message) = self.complaint() {
+            return Err(Error::Validation(message));
+        }
+        match waited {
+            Ok(Ok(_)) => Ok(()),
+            _ => Err(Error::TimeOut(PATIENCE)),
+        }
+    }
+
+    fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+    }
+}

@@ -1,0 +1,196 @@
+//! a wgsl file -> a pipeline whose bindings go by name
+
+use std::borrow::Cow;
+
+use bytemuck::Pod;
+use naga::proc::Layouter;
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{AddressSpace, Module, StorageAccess, TypeInner};
+
+use super::wgsl::{Joined, Sources, join};
+use super::{Buffer, Error, Gpu};
+
+/// More workgroups than this in one dimension are not valid, so larger numbers are folded into two.
+const MOST_GROUPS: u32 = 65_535;
+
+/// A WGSL variable that a buffer is bound to.
+#[derive(Debug, Clone)]
+struct Slot {
+    name: String,
+    binding: u32,
+    uniform: bool,
+    read_only: bool,
+    /// Bytes of an array's element or of the struct.
+    element: u32,
+}
+
+/// A compute pipeline made of one file of `wgsl/`.
+#[derive(Debug)]
+pub struct Kernel {
+    name: String,
+    pipeline: wgpu::ComputePipeline,
+    layout: wgpu::BindGroupLayout,
+    slots: Vec<Slot>,
+    group: u32,
+}
+
+/// A buffer under the name of the WGSL variable that reads it.
+#[derive(Debug, Clone, Copy)]
+pub struct Binding<'a> {
+    name: &'a str,
+    raw: &'a wgpu::Buffer,
+    element: u32,
+}
+
+impl<'a> Binding<'a> {
+    /// Binds `buffer` to the variable `name`.
+    #[must_use]
+    pub fn new<T: Pod>(name: &'a str, buffer: &'a Buffer<T>) -> Self {
+        Self { name, raw: &buffer.raw, element: size_of::<T>() as u32 }
+    }
+}
+
+/// Parses and validates a kernel's source; errors name the file and line that they were written in.
+///
+/// # Errors
+/// [`Error::Wgsl`].
+pub fn parse(joined: &Joined, name: &str) -> Result<(Module, naga::valid::ModuleInfo), Error> {
+    let place = |line: Option<u32>| match line.and_then(|line| joined.origin(line)) {
+        Some((file, line)) => format!("{file}:{line}"),
+        None => format!("wgsl/{name}.wgsl"),
+    };
+    let module = naga::front::wgsl::parse_str(&joined.text).map_err(|e| {
+        let line = e.location(&joined.text).map(|at| at.line_number);
+        Error::Wgsl(format!("{}: {}", place(line), e.message()))
+    })?;
+    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|e| {
+        let line = e.location(&joined.text).map(|at| at.line_number);
+        let mut why = e.as_inner().to_string();
+        let mut source = std::error::Error::source(e.as_inner());
+        while let Some(cause) = source {
+            why = format!("{why}: {cause}");
+            source = cause.source();
+        }
+        Error::Wgsl(format!("{}: {why}", place(line)))
+    })?;
+    Ok((module, info))
+}
+
+impl Kernel {
+    /// Builds the kernel that is written in `wgsl/NAME.wgsl`.
+    ///
+    /// # Errors
+    /// [`Error::Wgsl`] with file and line if its source is wrong.
+    pub fn new(gpu: &Gpu, sources: &Sources, name: &str) -> Result<Self, Error> {
+        let joined = join(sources, name).map_err(Error::Wgsl)?;
+        let (module, _) = parse(&joined, name)?;
+        let slots = slots(&module);
+        let entry = module.entry_points.first();
+        let group = entry
+            .map(|e| e.workgroup_size[0])
+            .ok_or_else(|| Error::Wgsl(format!("wgsl/{name}.wgsl has no entry point")))?;
+        let entries: Vec<_> = slots.iter().map(layout_entry).collect();
+        let device = &gpu.device;
+        let layout = device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(name), entries: &entries });
+        let shader = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Naga(Cow::Owned(module)),
+        });
+        let pipeline_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(name),
+            bind_group_layouts: &[Some(&layout)],
+            immediate_size: 0,
+        });
+        let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(name),
+            layout: Some(&pipeline_layout),
+            module: &shader,
+            entry_point: None,
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            cache: None,
+        });
+        if let Some(message) = gpu.complaint() {
+            return Err(Error::Validation(message));
+        }
+        Ok(Self { name: name.to_owned(), pipeline, layout, slots, group })
+    }
+
+    /// Records `invocations` of the kernel, or a few more; returns the number of workgroups.
+    ///
+    /// # Errors
+    /// [`Error::Binding`] if the names or element sizes are not those of the WGSL.
+    pub fn dispatch(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        bindings: &[Binding<'_>],
+        invocations: u32,
+    ) -> Result<u32, Error> {
+        let wrong =
+            |name: &str, why: String| Error::Binding { kernel: self.name.clone(), name: name.to_owned(), why };
+        if let Some(stray) = bindings.iter().find(|b| !self.slots.iter().any(|s| s.name == b.name)) {
+            return Err(wrong(stray.name, "the kernel has no such variable".to_owned()));
+        }
+        let mut entries = Vec::with_capacity(self.slots.len());
+        for slot in &self.slots {
+            let bound = bindings.iter().find(|b| b.name == slot.name);
+            let bound = bound.ok_or_else(|| wrong(&slot.name, "nothing is bound to it".to_owned()))?;
+            if bound.element != slot.element {
+                let why = format!("its elements are {} bytes, and {} are bound", slot.element, bound.element);
+                return Err(wrong(&slot.name, why));
+            }
+            entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource: bound.raw.as_entire_binding() });
+        }
+        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some(&self.name),
+            layout: &self.layout,
+            entries: &entries,
+        });
+        let groups = invocations.div_ceil(self.group);
+        let columns = groups.clamp(1, MOST_GROUPS);
+        let rows = groups.div_ceil(columns).max(1);
+        let mut pass = encoder
+            .begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(&self.name), timestamp_writes: None });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &group, &[]);
+        pass.dispatch_workgroups(columns, rows, 1);
+        Ok(columns * rows)
+    }
+}
+
+/// The bindings of a module, by name.
+fn slots(module: &Module) -> Vec<Slot> {
+    let mut layouter = Layouter::default();
+    // A module that has been validated has a layout.
+    let _ = layouter.update(module.to_ctx());
+    let variables = module.global_variables.iter().map(|(_, v)| v);
+    let bound = variables.filter_map(|v| Some((v, v.binding.as_ref()?)));
+    bound
+        .map(|(v, binding)| {
+            let element = match module.types[v.ty].inner {
+                TypeInner::Array { stride, .. } => stride,
+                _ => layouter[v.ty].size,
+            };
+            let (uniform, read_only) = match v.space {
+                AddressSpace::Storage { access } => (false, !access.contains(StorageAccess::STORE)),
+                _ => (true, true),
+            };
+            Slot { name: v.name.clone().unwrap_or_default(), binding: binding.binding, uniform, read_only, element }
+        })
+        .collect()
+}
+
+fn layout_entry(slot: &Slot) -> wgpu::BindGroupLayoutEntry {
+    let ty = if slot.uniform {
+        wgpu::BufferBindingType::Uniform
+    } else {
+        wgpu::BufferBindingType::Storage { read_only: slot.read_only }
+    };
+    wgpu::BindGroupLayoutEntry {
+        binding: slot.binding,
+        visibility: wgpu::ShaderStages::COMPUTE,
+        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        count: None,
+    }
+}

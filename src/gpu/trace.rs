@@ -1,0 +1,256 @@
+//! The ray tracer's stages as kernels.
+
+use std::ops::Range;
+use std::time::Instant;
+
+use bytemuck::Zeroable as _;
+
+use super::pace::Pace;
+use super::wgsl::Sources;
+use super::{Binding, Buffer, Error, Gpu, Kernel};
+use crate::tables::{
+    CUT_SHORT, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere, Status, Tables, Triangle, View,
+    Waiting,
+};
+use crate::trace::{Paths, Trace};
+
+/// Room for paths and stacks: half of what every adapter binds at once.
+const PATH_BYTES: u64 = 64 << 20;
+
+/// The ray tracer on a GPU.
+#[derive(Debug)]
+pub struct GpuTrace<'a> {
+    gpu: &'a Gpu,
+    cast: Kernel,
+    follow: Kernel,
+    gather: Kernel,
+    max_depth: u32,
+    samples: u32,
+    view: Buffer<View>,
+    settings: Buffer<Settings>,
+    spheres: Buffer<Sphere>,
+    planes: Buffer<Plane>,
+    triangles: Buffer<Triangle>,
+    materials: Buffer<Material>,
+    lights: Buffer<Light>,
+    slice: Buffer<Slice>,
+    status: Buffer<Status>,
+    /// Recorded and not yet submitted, with the workgroups it should report.
+    recorded: Option<(wgpu::CommandEncoder, u32)>,
+    last: Status,
+    pace: Pace,
+    idle: u32,
+}
+
+/// The ray trees of a run of pixels, on the device.
+#[derive(Debug)]
+pub struct GpuPaths {
+    pixels: Range<u32>,
+    paths: Buffer<Path>,
+    waiting: Buffer<Waiting>,
+    sums: Buffer<[f32; 4]>,
+    ids: Buffer<u32>,
+}
+
+impl<'a> GpuTrace<'a> {
+    /// A tracer of one scene with the kernels of `sources`.
+    ///
+    /// # Errors
+    /// If a kernel's source is wrong, or the scene does not fit the device.
+    pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
+        let depth = u64::from(tables.settings.max_depth);
+        let a_pixel = depth * size_of::<Waiting>() as u64 + size_of::<Path>() as u64;
+        let pixels = (PATH_BYTES / a_pixel).min(1 << 18) as u32;
+        Ok(Self {
+            gpu,
+            cast: Kernel::new(gpu, sources, "trace/cast")?,
+            follow: Kernel::new(gpu, sources, "trace/follow")?,
+            gather: Kernel::new(gpu, sources, "trace/gather")?,
+            max_depth: tables.settings.max_depth,
+            samples: tables.samples,
+            view: gpu.uniform("view", &tables.view)?,
+            settings: gpu.uniform("settings", &tables.settings)?,
+            spheres: gpu.upload("spheres", &tables.spheres)?,
+            planes: gpu.upload("planes", &tables.planes)?,
+            triangles: gpu.upload("triangles", &tables.triangles)?,
+            materials: gpu.upload("materials", &tables.materials)?,
+            lights: gpu.upload("lights", &tables.lights)?,
+            slice: gpu.uniform("slice", &Slice::zeroed())?,
+            status: gpu.zeroed("status", 1)?,
+            recorded: None,
+            last: Status::zeroed(),
+            pace: Pace::new(gpu.slice_time(), pixels),
+            idle: 0,
+        })
+    }
+
+    /// Paths from host memory.
+    ///
+    /// # Errors
+    /// If they do not fit the device.
+    pub fn upload(&self, paths: &Paths) -> Result<GpuPaths, Error> {
+        Ok(GpuPaths {
+            pixels: paths.pixels.clone(),
+            paths: self.gpu.upload("paths", &paths.paths)?,
+            waiting: self.gpu.upload("waiting", &paths.waiting)?,
+            sums: self.gpu.upload("sums", &paths.sums)?,
+            ids: self.gpu.upload("ids", &paths.ids)?,
+        })
+    }
+
+    /// All of a run of pixels in host memory, as it is.
+    ///
+    /// # Errors
+    /// If the device is lost or does not answer.
+    pub fn download(&self, paths: &GpuPaths) -> Result<Paths, Error> {
+        Ok(Paths {
+            pixels: paths.pixels.clone(),
+            paths: self.gpu.read(&paths.paths)?,
+            waiting: self.gpu.read(&paths.waiting)?,
+            sums: self.gpu.read(&paths.sums)?,
+            ids: self.gpu.read(&paths.ids)?,
+        })
+    }
+
+    /// What the kernels told at the last [`Trace::settle`].
+    #[must_use]
+    pub fn status(&self) -> Status {
+        self.last
+    }
+
+    /// Records one stage. Slices are told apart by the submission: all stages of one read the same.
+    fn record(
+        &mut self,
+        slice: &Slice,
+        dispatch: impl FnOnce(&Self, &mut wgpu::CommandEncoder) -> Result<u32, Error>,
+    ) -> Result<(), Error> {
+        let (mut encoder, groups) = match self.recorded.take() {
+            Some(recorded) => recorded,
+            None => {
+                self.gpu.write(&self.slice, &[*slice]);
+                self.gpu.write(&self.status, &[Status::zeroed()]);
+                (self.gpu.encoder(), 0)
+            }
+        };
+        let more = dispatch(self, &mut encoder)?;
+        self.recorded = Some((encoder, groups + more));
+        Ok(())
+    }
+}
+
+impl Trace for GpuTrace<'_> {
+    type Paths = GpuPaths;
+    type Error = Error;
+
+    fn most_pixels(&self) -> u32 {
+        self.pace.pixels
+    }
+
+    fn budget(&self) -> u32 {
+        self.pace.budget
+    }
+
+    fn rounds(&self) -> u32 {
+        self.pace.rounds.min(self.samples)
+    }
+
+    fn begin(&mut self, pixels: Range<u32>) -> Result<GpuPaths, Error> {
+        let count = pixels.len();
+        self.recorded = None;
+        self.idle = 0;
+        Ok(GpuPaths {
+            pixels,
+            paths: self.gpu.zeroed("paths", count)?,
+            waiting: self.gpu.zeroed("waiting", count * self.max_depth as usize)?,
+            sums: self.gpu.zeroed("sums", count)?,
+            ids: self.gpu.zeroed("ids", count)?,
+        })
+    }
+
+    fn cast(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
+        self.record(slice, |this, encoder| {
+            let bindings = [
+                Binding::new("view", &this.view),
+                Binding::new("slice", &this.slice),
+                Binding::new("paths", &paths.paths),
+                Binding::new("status", &this.status),
+            ];
+            this.cast.dispatch(this.gpu, encoder, &bindings, slice.count)
+        })
+    }
+
+    fn follow(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
+        self.record(slice, |this, encoder| {
+            let bindings = [
+                Binding::new("settings", &this.settings),
+                Binding::new("spheres", &this.spheres),
+                Binding::new("planes", &this.planes),
+                Binding::new("triangles", &this.triangles),
+                Binding::new("materials", &this.materials),
+                Binding::new("lights", &this.lights),
+                Binding::new("view", &this.view),
+                Binding::new("slice", &this.slice),
+                Binding::new("paths", &paths.paths),
+                Binding::new("waiting", &paths.waiting),
+                Binding::new("status", &this.status),
+            ];
+            this.follow.dispatch(this.gpu, encoder, &bindings, slice.count)
+        })
+    }
+
+    fn gather(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
+        self.record(slice, |this, encoder| {
+            let bindings = [
+                Binding::new("slice", &this.slice),
+                Binding::new("paths", &paths.paths),
+                Binding::new("sums", &paths.sums),
+                Binding::new("ids", &paths.ids),
+                Binding::new("status", &this.status),
+            ];
+            this.gather.dispatch(this.gpu, encoder, &bindings, slice.count)
+        })
+    }
+
+    fn settle(&mut self, _paths: &mut GpuPaths) -> Result<u32, Error> {
+        let Some((encoder, groups)) = self.recorded.take() else { return Ok(0) };
+        let start = Instant::now();
+        let status = self.gpu.finish_and_read(encoder, &self.status)?;
+        self.pace.learn(start.elapsed());
+        let status = status.first().copied().unwrap_or_else(Status::zeroed);
+        self.last = status;
+        let incomplete = |why: String| Err(Error::Incomplete(why));
+        if status.groups != groups {
+            return incomplete(format!("{} of {groups} workgroups ran", status.groups));
+        }
+        if status.flags & CUT_SHORT != 0 {
+            return incomplete("the driver cut a loop short".to_owned());
+        }
+        if status.flags & STACK_FULL != 0 {
+            return incomplete("a ray stack was full".to_owned());
+        }
+        // Work that neither turns a loop nor ends a pixel is none, however often it is done.
+        self.idle = if status.turns == 0 && status.pixels == 0 { self.idle + 1 } else { 0 };
+        if self.idle > 8 {
+            return incomplete("nothing moves any more".to_owned());
+        }
+        Ok(status.pixels)
+    }
+
+    fn end(&mut self, paths: GpuPaths) -> Result<Paths, Error> {
+        let sums = self.gpu.read(&paths.sums)?;
+        let ids = self.gpu.read(&paths.ids)?;
+        // A killed dispatch may be reported as done (Metal and DX12 do so): the film itself is the proof.
+        let wanted = self.samples as f32;
+        if let Some(short) = sums.iter().position(|sum| sum[3] != wanted) {
+            let why = format!("a pixel has {} of {wanted} samples", sums[short][3]);
+            return Err(Error::Incomplete(why));
+        }
+        Ok(Paths { pixels: paths.pixels, paths: Vec::new(), waiting: Vec::new(), sums, ids })
+    }
+
+    fn ease(&mut self, error: Error) -> Result<(), Error> {
+        self.recorded = None;
+        let again = matches!(error, Error::Incomplete(_) | Error::TimeOut(_) | Error::NoRoom { .. });
+        if again && self.pace.ease() { Ok(()) } else { Err(error) }
+    }
+}

@@ -1,0 +1,110 @@
+//! Scene -> Tables: what a person says, as the arrays that both backends read.
+
+use glam::Vec3;
+
+use crate::math::vector::unit;
+use crate::scene::{Behavior, Camera, Light, Material, Scene, Specular};
+use crate::tables::{self, Tables, View};
+
+/// The tables of a scene.
+#[must_use]
+pub fn prepare(scene: &Scene) -> Tables {
+    let material = |i: usize| i as u32;
+    Tables {
+        view: view(scene),
+        settings: tables::Settings {
+            background: scene.film.background,
+            max_depth: scene.trace.depth,
+            spheres: scene.spheres.len() as u32,
+            planes: scene.planes.len() as u32,
+            triangles: scene.triangles.len() as u32,
+            lights: scene.lights.len() as u32,
+            specular: match scene.trace.specular {
+                Specular::Phong => tables::PHONG,
+                Specular::Blinn => tables::BLINN,
+            },
+            cutoff: scene.trace.cutoff,
+            pad: [0; 2],
+        },
+        samples: scene.trace.samples,
+        spheres: scene
+            .spheres
+            .iter()
+            .map(|s| tables::Sphere {
+                center: s.center,
+                radius: s.radius,
+                material: material(s.material),
+                pad_a: 0,
+                pad_b: [0; 2],
+            })
+            .collect(),
+        planes: scene
+            .planes
+            .iter()
+            .map(|p| tables::Plane { point: p.point, material: material(p.material), normal: p.normal, pad: 0 })
+            .collect(),
+        triangles: scene
+            .triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.vertices;
+                tables::Triangle { a, material: material(t.material), b, pad_b: 0, c, pad_c: 0 }
+            })
+            .collect(),
+        materials: scene.materials.iter().map(paint).collect(),
+        lights: scene.lights.iter().map(lamp).collect(),
+    }
+}
+
+/// The film plane at distance one from the eye (spec 1.2.1 and 2.2).
+fn view(scene: &Scene) -> View {
+    let [width, height] = scene.film.size;
+    let [right, up, back] = pose(&scene.camera);
+    let tall = 2.0 * (scene.camera.fov / 2.0).tan();
+    let aspect = scene.camera.aspect.unwrap_or(width as f32 / height as f32);
+    let root = scene.trace.samples.isqrt();
+    View {
+        eye: scene.camera.position,
+        width,
+        right: right * (tall * aspect),
+        height,
+        up: up * tall,
+        grid: if root * root == scene.trace.samples { root } else { 0 },
+        back,
+        seed: scene.trace.seed,
+    }
+}
+
+/// The camera's axes R, U, D in world space (spec 1.2.1).
+#[must_use]
+pub fn pose(camera: &Camera) -> [Vec3; 3] {
+    let back = unit(camera.position - camera.look_at);
+    let right = unit(camera.up.cross(back));
+    [right, unit(back.cross(right)), back]
+}
+
+fn paint(m: &Material) -> tables::Material {
+    tables::Material {
+        color: m.color,
+        local_weight: m.local,
+        tint: m.color.normalize_or_zero(),
+        reflect_weight: m.reflect,
+        refract_weight: m.refract,
+        exponent: m.exponent,
+        index: m.index,
+        behavior: match m.behavior {
+            Behavior::Mirror => tables::MIRROR,
+            Behavior::Diffuse => tables::DIFFUSE,
+            Behavior::Glass => tables::GLASS,
+        },
+    }
+}
+
+fn lamp(light: &Light) -> tables::Light {
+    match *light {
+        Light::Point { position, power } => tables::Light { place: position, kind: tables::POINT, power, pad: 0 },
+        Light::Directional { toward, power } => {
+            tables::Light { place: toward, kind: tables::DIRECTIONAL, power, pad: 0 }
+        }
+    }
+}

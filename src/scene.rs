@@ -1,0 +1,163 @@
+//! What a scene file says, in a person's terms.
+//!
+//! [`load`] reads a TOML file; whatever is wrong with it is an [`Error`] that names the file, the line and the
+//! field, what was found and what would be right. A [`Scene`] that exists can be rendered.
+
+mod error;
+pub mod file;
+mod resolve;
+pub mod value;
+
+pub use error::Error;
+pub use file::{Behavior, Method, Specular};
+pub use resolve::{load, parse};
+
+use glam::Vec3;
+
+use crate::film::Transfer;
+
+/// The deepest ray tree that the stack is laid out for.
+pub const DEEPEST: u32 = 32;
+/// The most samples a pixel.
+pub const MOST_SAMPLES: u32 = 65_536;
+/// The longest side of a film, in pixels.
+pub const LONGEST_SIDE: u32 = 65_536;
+
+/// A scene that can be rendered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The eye.
+    pub camera: Camera,
+    /// What it looks onto.
+    pub film: FilmSettings,
+    /// How it is rendered unless one says otherwise.
+    pub method: Method,
+    /// How rays are traced.
+    pub trace: TraceSettings,
+    /// What objects are made of.
+    pub materials: Vec<Material>,
+    /// Where light comes from.
+    pub lights: Vec<Light>,
+    /// Spheres, in world space.
+    pub spheres: Vec<Sphere>,
+    /// Infinite planes, in world space.
+    pub planes: Vec<Plane>,
+    /// Single triangles, in world space.
+    pub triangles: Vec<Triangle>,
+}
+
+/// The eye (spec 1.2.1), in world space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Camera {
+    /// Where it is.
+    pub position: Vec3,
+    /// What it looks at.
+    pub look_at: Vec3,
+    /// What is up; not along the view.
+    pub up: Vec3,
+    /// Vertical field of view, in radians.
+    pub fov: f32,
+    /// Width to height of the view; the film's own unless given.
+    pub aspect: Option<f32>,
+    /// Distance of the near plane. The ray tracer sees from the eye on.
+    pub near: f32,
+    /// Distance of the far plane. The ray tracer sees to any distance.
+    pub far: f32,
+}
+
+/// The film and what is done with its colors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilmSettings {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// How colors become a display's numbers.
+    pub transfer: Transfer,
+    /// What is seen where nothing is.
+    pub background: Vec3,
+}
+
+/// How rays are traced (spec part 2).
+#[derive(Debug, Clone, PartialEq)]
+pub struct TraceSettings {
+    /// Samples a pixel; a square number lies on the spec's n x n grid.
+    pub samples: u32,
+    /// Rays in a branch, the primary one counted.
+    pub depth: u32,
+    /// Which specular term.
+    pub specular: Specular,
+    /// A path whose weight is not above this is not followed.
+    pub cutoff: f32,
+    /// Chooses another set of random numbers.
+    pub seed: u32,
+}
+
+/// What an object is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// The name that objects call it by.
+    pub name: String,
+    /// Its color, linear or display-referred as the film's transfer says.
+    pub color: Vec3,
+    /// Weight of the light that falls on it directly.
+    pub local: f32,
+    /// Weight of the reflected path.
+    pub reflect: f32,
+    /// Weight of the refracted path.
+    pub refract: f32,
+    /// The specular exponent k.
+    pub exponent: f32,
+    /// Refractive index; outside it is 1.
+    pub index: f32,
+    /// Which way rays go on.
+    pub behavior: Behavior,
+}
+
+/// Where light comes from (spec 1.2.2).
+#[derive(Debug, Clone, PartialEq)]
+pub enum Light {
+    /// From a point, without fall-off.
+    Point {
+        /// In world space.
+        position: Vec3,
+        /// Color times intensity.
+        power: Vec3,
+    },
+    /// From one direction.
+    Directional {
+        /// From the scene towards the light; of length one.
+        toward: Vec3,
+        /// Color times intensity.
+        power: Vec3,
+    },
+}
+
+/// A sphere.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sphere {
+    /// In world space.
+    pub center: Vec3,
+    /// Above zero.
+    pub radius: f32,
+    /// Which of the scene's materials.
+    pub material: usize,
+}
+
+/// An infinite plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plane {
+    /// A point of it.
+    pub point: Vec3,
+    /// Of length one.
+    pub normal: Vec3,
+    /// Which of the scene's materials.
+    pub material: usize,
+}
+
+/// A single triangle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Triangle {
+    /// Its corners, in world space.
+    pub vertices: [Vec3; 3],
+    /// Which of the scene's materials.
+    pub material: usize,
+}

@@ -1,0 +1,226 @@
+//! scene text -> Scene: what one field alone cannot know is wrong
+
+use std::collections::HashMap;
+use std::fs;
+use std::io::Read as _;
+use std::ops::Range;
+use std::path::Path;
+
+use glam::Vec3;
+
+use super::error::Complaint;
+use super::file::{self, File};
+use super::value::At;
+use super::{
+    Behavior, Camera, Error, FilmSettings, Light, Material, Plane, Scene, Sphere, TraceSettings, Triangle,
+};
+use crate::film::Film;
+
+/// The longest scene text; it is read whole.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// Reads a scene file.
+///
+/// # Errors
+/// If the file cannot be read, or its text is not a scene.
+pub fn load(path: &Path) -> Result<Scene, Error> {
+    let failed = |why: String| Error::Read { path: path.to_owned(), why };
+    let about = fs::metadata(path).map_err(|e| failed(e.to_string()))?;
+    // A pipe would wait for ever, and /dev/zero never ends.
+    if !about.is_file() {
+        return Err(failed("it is not a file".to_owned()));
+    }
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path).map_err(|e| failed(e.to_string()))?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|e| failed(e.to_string()))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(failed("it is longer than 64 MiB".to_owned()));
+    }
+    match std::str::from_utf8(&bytes) {
+        Ok(text) => parse(text, path),
+        Err(at) => {
+            let line = bytes[..at.valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
+            Err(failed(format!("line {line} is not UTF-8 text; save it as UTF-8")))
+        }
+    }
+}
+
+/// Reads a scene from text; `name` is what errors call it.
+///
+/// # Errors
+/// If the text is not a scene.
+pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
+    let complain =
+        |span: Range<usize>, right: &str| Error::Text(Complaint::new(name.to_owned(), text, span, right));
+    let file: File = toml::from_str(text).map_err(|e| complain(e.span().unwrap_or(0..0), e.message().trim()))?;
+    Resolver { complain: &complain }.scene(file)
+}
+
+struct Resolver<'a> {
+    complain: &'a dyn Fn(Range<usize>, &str) -> Error,
+}
+
+impl Resolver<'_> {
+    fn scene(&self, file: File) -> Result<Scene, Error> {
+        let camera = self.camera(&file.camera)?;
+        let film = self.film(&file.film)?;
+        let mut names = HashMap::new();
+        for (i, material) in file.material.iter().enumerate() {
+            let name = material.name.get();
+            if names.insert(name.clone(), i).is_some() {
+                return self.refuse(&material.name, "two materials cannot have one name");
+            }
+        }
+        let materials = file.material.iter().map(|m| self.material(m, &film)).collect::<Result<_, _>>()?;
+        let objects = &file.object;
+        let spheres = objects.sphere.iter().map(|s| {
+            let material = self.named(&names, &s.material)?;
+            Ok(Sphere { center: s.center.0, radius: s.radius.0, material })
+        });
+        let planes = objects.plane.iter().map(|p| {
+            let material = self.named(&names, &p.material)?;
+            Ok(Plane { point: p.point.0, normal: p.normal.0, material })
+        });
+        let triangles = objects.triangle.iter().map(|t| {
+            let material = self.named(&names, &t.material)?;
+            let vertices = t.vertices.get().map(|v| v.0);
+            let [a, b, c] = vertices;
+            if (b - a).cross(c - a).length_squared() < f32::MIN_POSITIVE {
+                return self.refuse(&t.vertices, "a triangle's corners are three points not on one line");
+            }
+            Ok(Triangle { vertices, material })
+        });
+        let trace = &file.trace;
+        Ok(Scene {
+            camera,
+            method: file.method,
+            trace: TraceSettings {
+                samples: trace.samples.0,
+                depth: trace.depth.0,
+                specular: trace.specular,
+                cutoff: trace.cutoff.0,
+                seed: trace.seed.0,
+            },
+            materials,
+            lights: lights(&file.light, &film),
+            spheres: spheres.collect::<Result<_, Error>>()?,
+            planes: planes.collect::<Result<_, Error>>()?,
+            triangles: triangles.collect::<Result<_, Error>>()?,
+            film,
+        })
+    }
+
+    fn refuse<T, U>(&self, value: &At<T>, right: &str) -> Result<U, Error> {
+        Err((self.complain)(value.span(), right))
+    }
+
+    fn camera(&self, camera: &At<file::Camera>) -> Result<Camera, Error> {
+        let header = camera.span();
+        let c = camera.get();
+        // A value that was left out is told where its table stands.
+        let place = |span: Range<usize>| {
+            if span.is_empty() { header.clone() } else { span }
+        };
+        let (near, far) = (c.near.0, c.far.get().0);
+        if near >= far {
+            let right = format!("the far plane lies beyond the near one, which is at {near}");
+            return Err((self.complain)(place(c.far.span()), &right));
+        }
+        let look_at = c.look_at.get().0;
+        // As the ray caster will see them, in f32.
+        let back = (c.position.0 - look_at).normalize_or_zero();
+        if back == Vec3::ZERO {
+            return self.refuse(&c.look_at, "the eye looks at a point that is not its own position");
+        }
+        let up = c.up.get().0;
+        if up.cross(back).length() < 1e-4 {
+            let right = "up is a direction that is not along the view from the eye to what it looks at";
+            return Err((self.complain)(place(c.up.span()), right));
+        }
+        let aspect = c.aspect.map(|a| a.0);
+        Ok(Camera { position: c.position.0, look_at, up, fov: c.fov.0.to_radians(), aspect, near, far })
+    }
+
+    fn film(&self, film: &file::Film) -> Result<FilmSettings, Error> {
+        let size = film.size.get().map(|side| side.0);
+        if let Err(error) = fits(size) {
+            return self.refuse(&film.size, &error.to_string());
+        }
+        Ok(FilmSettings { size, transfer: film.transfer, background: film.background.under(film.transfer) })
+    }
+
+    fn material(&self, m: &file::Material, film: &FilmSettings) -> Result<Material, Error> {
+        let glass = m.behavior == Behavior::Glass;
+        if let (false, Some(refract)) = (glass, &m.refract) {
+            return self.refuse(refract, "only a material with behavior = \"glass\" refracts");
+        }
+        if let (false, Some(index)) = (glass, &m.index) {
+            return self.refuse(index, "only a material with behavior = \"glass\" has a refractive index");
+        }
+        let usual_reflect = if m.behavior == Behavior::Diffuse { 1.0 } else { 0.0 };
+        Ok(Material {
+            name: m.name.get().clone(),
+            color: m.color.under(film.transfer),
+            local: m.local.map_or(1.0, |w| w.0),
+            reflect: m.reflect.map_or(usual_reflect, |w| w.0),
+            refract: m.refract.as_ref().map_or(if glass { 1.0 } else { 0.0 }, |w| w.get().0),
+            exponent: m.exponent.0,
+            index: m.index.as_ref().map_or(1.5, |i| i.get().0),
+            behavior: m.behavior,
+        })
+    }
+
+    fn named(&self, names: &HashMap<String, usize>, name: &At<String>) -> Result<usize, Error> {
+        if let Some(&i) = names.get(name.get()) {
+            return Ok(i);
+        }
+        let mut known: Vec<_> = names.keys().map(|n| format!("{n:?}")).collect();
+        known.sort();
+        known.truncate(20);
+        let right = if known.is_empty() {
+            "a [[material]] has to be given this name first".to_owned()
+        } else {
+            format!("the materials are {}", known.join(", "))
+        };
+        self.refuse(name, &right)
+    }
+}
+
+fn lights(lights: &file::Lights, film: &FilmSettings) -> Vec<Light> {
+    let power = |color: super::value::Color, intensity: f32| color.under(film.transfer) * intensity;
+    let points =
+        lights.point.iter().map(|l| Light::Point { position: l.position.0, power: power(l.color, l.intensity.0) });
+    let directional = lights
+        .directional
+        .iter()
+        .map(|l| Light::Directional { toward: l.toward.0, power: power(l.color, l.intensity.0) });
+    points.chain(directional).collect()
+}
+
+/// Whether a film of this size fits into this machine's memory, with room for all else.
+pub(super) fn fits(size: [u32; 2]) -> Result<(), Error> {
+    const MIB: u64 = 1 << 20;
+    let pixels = u64::from(size[0]) * u64::from(size[1]);
+    let needed = Film::bytes(size[0], size[1]);
+    let has = sysinfo::System::new().map_or(0, |mut system| {
+        system.refresh_memory();
+        system.total_memory()
+    });
+    // Pixels are counted in 32 bits; and a machine that will not tell its memory is trusted.
+    if pixels >= 1 << 30 || (has > 0 && needed > has / 10 * 6) {
+        return Err(Error::Memory { size, needed: needed.div_ceil(MIB), has: has / MIB });
+    }
+    Ok(())
+}
+
+impl Scene {
+    /// Another size of film, where it fits into memory.
+    ///
+    /// # Errors
+    /// [`Error::Memory`] if it does not.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
+        fits(size)?;
+        self.film.size = size;
+        Ok(())
+    }
+}

@@ -1,0 +1,47 @@
+//! What both sides read: arrays of plain structs, equal to those of `wgsl/tables` name by name, offset by offset
+//! (`tests/suite/layout.rs` holds them together).
+//!
+//! Each vector of three is followed by a scalar, so that no padding hides between them.
+
+mod light;
+mod material;
+mod path;
+mod plane;
+mod settings;
+mod slice;
+mod sphere;
+mod status;
+mod triangle;
+mod view;
+
+pub use light::{DIRECTIONAL, Light, POINT};
+pub use material::{DIFFUSE, GLASS, MIRROR, Material};
+pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
+pub use plane::Plane;
+pub use settings::{BLINN, NONE, PHONG, Settings};
+pub use slice::{GROUP, MOST_TURNS, Slice};
+pub use sphere::Sphere;
+pub use status::{CUT_SHORT, STACK_FULL, Status};
+pub use triangle::Triangle;
+pub use view::View;
+
+/// A scene as both sides read it. Primitives are counted through: spheres, then planes, then triangles.
+#[derive(Debug, Clone)]
+pub struct Tables {
+    /// The eye and the film.
+    pub view: View,
+    /// What is the same for every ray.
+    pub settings: Settings,
+    /// Samples a pixel.
+    pub samples: u32,
+    /// Primitives from number 0.
+    pub spheres: Vec<Sphere>,
+    /// Primitives after the spheres.
+    pub planes: Vec<Plane>,
+    /// Primitives after the planes.
+    pub triangles: Vec<Triangle>,
+    /// What the primitives are made of.
+    pub materials: Vec<Material>,
+    /// Where light comes from.
+    pub lights: Vec<Light>,
+}

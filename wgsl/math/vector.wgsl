@@ -1,0 +1,14 @@
+// vectors -> vectors, each product and sum in one fixed order
+
+fn unit(v: vec3f) -> vec3f {
+    return v / sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
+
+// Eq. 2.6: the mirror of `i`, which points away from the surface, about the normal `n`.
+fn mirror(i: vec3f, n: vec3f) -> vec3f {
+    return unit(n * (2.0 * dot(i, n)) - i);
+}
+
+fn largest(v: vec3f) -> f32 {
+    return max(v.x, max(v.y, v.z));
+}

@@ -1,0 +1,15 @@
+// directions at a point -> the spec's diffuse and specular terms (1.2.3, "Illumination")
+#import "math/power.wgsl"
+#import "math/vector.wgsl"
+#import "tables/settings.wgsl"
+
+// `n`: normal, `l`: to the light, `v`: to the eye; all of length one, n.l > 0, n.v >= 0.
+fn phong(n: vec3f, l: vec3f, v: vec3f, exponent: f32, specular: u32) -> vec2f {
+    var cosine = 0.0;
+    if (specular == BLINN) {
+        cosine = dot(unit(l + v), n);
+    } else {
+        cosine = dot(mirror(l, n), v);
+    }
+    return vec2f(max(0.0, dot(n, l)), power(max(0.0, cosine), exponent));
+}
