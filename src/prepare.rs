@@ -24,7 +24,8 @@ pub fn prepare(scene: &Scene) -> Tables {
                 Specular::Blinn => tables::BLINN,
             },
             cutoff: scene.trace.cutoff,
-            pad: [0; 2],
+            zero: 0,
+            pad: 0,
         },
         samples: scene.trace.samples,
         spheres: scene

@@ -170,6 +170,7 @@ impl Trace for GpuTrace<'_> {
     fn cast(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
         self.record(slice, |this, encoder| {
             let bindings = [
+                Binding::new("settings", &this.settings),
                 Binding::new("view", &this.view),
                 Binding::new("slice", &this.slice),
                 Binding::new("paths", &paths.paths),

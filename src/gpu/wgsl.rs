@@ -14,6 +14,7 @@ macro_rules! embed {
 }
 
 embed! {
+    "math/fence",
     "math/power",
     "math/random",
     "math/sphere",

@@ -4,12 +4,14 @@
 #import "tables/status.wgsl"
 #import "tables/settings.wgsl"
 #import "tables/path.wgsl"
+#import "math/fence.wgsl"
 #import "math/vector.wgsl"
 
 @group(0) @binding(0) var<uniform> view: View;
 @group(0) @binding(1) var<uniform> slice: Slice;
 @group(0) @binding(2) var<storage, read_write> paths: array<Path>;
 @group(0) @binding(3) var<storage, read_write> status: Status;
+@group(0) @binding(4) var<uniform> settings: Settings;
 
 // Where in its pixel a sample lies, in [0, 1)^2 from the lower left corner.
 fn place(sample: u32) -> vec2f {
@@ -28,7 +30,7 @@ fn primary(pixel: u32, sample: u32) -> vec3f {
     let at = place(sample);
     let x = (f32(pixel % view.width) + at.x) / f32(view.width) - 0.5;
     let y = (f32(view.height - 1u - pixel / view.width) + at.y) / f32(view.height) - 0.5;
-    return unit(view.right * x + view.up * y - view.back);
+    return unit(fence(view.right * x + view.up * y, settings.zero) - view.back);
 }
 
 @compute @workgroup_size(64)
