@@ -10,7 +10,7 @@ use crate::tables::{self, Tables, View};
 #[must_use]
 pub fn prepare(scene: &Scene) -> Tables {
     let material = |i: usize| i as u32;
-    Tables {
+    let mut tables = Tables {
         view: view(scene),
         settings: tables::Settings {
             background: scene.film.background,
@@ -54,7 +54,10 @@ pub fn prepare(scene: &Scene) -> Tables {
             .collect(),
         materials: scene.materials.iter().map(paint).collect(),
         lights: scene.lights.iter().map(lamp).collect(),
-    }
+        few: false,
+    };
+    tables.few = tables.are_few();
+    tables
 }
 
 /// The film plane at distance one from the eye (spec 1.2.1 and 2.2).

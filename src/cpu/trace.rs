@@ -113,6 +113,12 @@ impl Trace for CpuTrace<'_> {
         Ok(())
     }
 
+    fn few(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        self.cast(paths, slice)?;
+        self.follow(paths, slice)?;
+        self.gather(paths, slice)
+    }
+
     fn settle(&mut self, _paths: &mut Paths) -> Result<u32, Infallible> {
         let done = self.status.pixels;
         self.status = SILENT;
