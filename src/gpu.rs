@@ -157,6 +157,12 @@ impl Gpu {
         &self.adapter
     }
 
+    /// Whether it is a program on this machine's processor.
+    #[must_use]
+    pub fn software(&self) -> bool {
+        self.adapter.software
+    }
+
     /// Whether it computes as Rust does, operation by operation: measured of Mesa's llvmpipe alone.
     #[must_use]
     pub fn exact(&self) -> bool {

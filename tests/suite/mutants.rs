@@ -26,9 +26,9 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("math/sphere", "1.0 - 2.0 * a", "1.0 - 1.9999 * a", "room-diffuse"),
     ("shade/phong", "specular == BLINN", "specular != BLINN", "room"),
     ("trace/few", "(*path).sample == 0u", "(*path).sample == 1u", "room"),
-    ("trace/few", "(*path).inside == 0u &&", "", "room"),
+    ("trace/few", "(*path).depth + 1u", "(*path).depth", "room"),
     ("trace/unrolled", "t < found.t", "t <= found.t * 1.001", "room"),
-    ("trace/unrolled", "ray.leaves != i;", "true;", "room-diffuse"),
+    ("trace/unrolled", "ray.leaves == $iu)", "false)", "room"),
     ("trace/unrolled", "number == $iu", "number != $iu", "room"),
 ];
 
