@@ -147,13 +147,12 @@ impl<'a> GpuTrace<'a> {
         slice: &Slice,
         dispatch: impl FnOnce(&Self, &mut wgpu::CommandEncoder) -> Result<u32, Error>,
     ) -> Result<(), Error> {
-        let (mut encoder, groups) = match self.recorded.take() {
-            Some(recorded) => recorded,
-            None => {
-                self.gpu.write(&self.slice, &[*slice]);
-                self.gpu.write(&self.status, &[Status::zeroed()]);
-                (self.gpu.encoder(), 0)
-            }
+        let (mut encoder, groups) = if let Some(recorded) = self.recorded.take() {
+            recorded
+        } else {
+            self.gpu.write(&self.slice, &[*slice]);
+            self.gpu.write(&self.status, &[Status::zeroed()]);
+            (self.gpu.encoder(), 0)
         };
         let more = dispatch(self, &mut encoder)?;
         self.recorded = Some((encoder, groups + more));
