@@ -4,7 +4,7 @@
 //! shape -> mesh -> simplify -> unwrap -> bake -> files
 
 #![forbid(unsafe_code)]
-#![allow(clippy::pedantic, reason = "numbers of a sculpture, cast and named as sculptors do")]
+#![allow(unreachable_pub, clippy::pedantic, reason = "numbers of a sculpture, cast and named as sculptors do")]
 
 mod bake;
 mod ground;
