@@ -1,5 +1,7 @@
 //! Scene -> Tables: what a person says, as the arrays that both backends read.
 
+pub mod lens;
+
 use glam::Vec3;
 
 use crate::math::vector::unit;
@@ -10,7 +12,7 @@ use crate::tables::{self, Tables, View};
 #[must_use]
 pub fn prepare(scene: &Scene) -> Tables {
     let material = |i: usize| i as u32;
-    Tables {
+    let mut tables = Tables {
         view: view(scene),
         settings: tables::Settings {
             background: scene.film.background,
@@ -24,7 +26,8 @@ pub fn prepare(scene: &Scene) -> Tables {
                 Specular::Blinn => tables::BLINN,
             },
             cutoff: scene.trace.cutoff,
-            pad: [0; 2],
+            zero: 0,
+            pad: 0,
         },
         samples: scene.trace.samples,
         spheres: scene
@@ -53,7 +56,10 @@ pub fn prepare(scene: &Scene) -> Tables {
             .collect(),
         materials: scene.materials.iter().map(paint).collect(),
         lights: scene.lights.iter().map(lamp).collect(),
-    }
+        few: false,
+    };
+    tables.few = tables.are_few();
+    tables
 }
 
 /// The film plane at distance one from the eye (spec 1.2.1 and 2.2).

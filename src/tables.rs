@@ -55,6 +55,48 @@ pub struct Tables {
     pub materials: Vec<Material>,
     /// Where light comes from.
     pub lights: Vec<Light>,
+    /// Whether a frame is made by the one stage for scenes of few things ([`Tables::are_few`]).
+    pub few: bool,
+}
+
+/// The most spheres, planes, materials and lights, each, of a scene of few things.
+pub const FEW: usize = 16;
+
+/// A scene of few things as one value: a uniform is read once for all lanes.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Few {
+    /// Primitives from number 0.
+    pub spheres: [Sphere; FEW],
+    /// Primitives after the spheres.
+    pub planes: [Plane; FEW],
+    /// What the primitives are made of.
+    pub materials: [Material; FEW],
+    /// Where light comes from.
+    pub lights: [Light; FEW],
+}
+
+impl Tables {
+    /// Whether there are so few things that it pays to write the kernel out for each of them.
+    #[must_use]
+    pub fn are_few(&self) -> bool {
+        let most = [self.spheres.len(), self.planes.len(), self.materials.len(), self.lights.len()];
+        self.triangles.is_empty() && most.into_iter().all(|count| count <= FEW)
+    }
+
+    /// The first [`FEW`] of everything; the rest is zero.
+    #[must_use]
+    pub fn scene(&self) -> Few {
+        fn first<T: bytemuck::Zeroable + Copy>(of: &[T]) -> [T; FEW] {
+            std::array::from_fn(|i| of.get(i).copied().unwrap_or_else(T::zeroed))
+        }
+        Few {
+            spheres: first(&self.spheres),
+            planes: first(&self.planes),
+            materials: first(&self.materials),
+            lights: first(&self.lights),
+        }
+    }
 }
 
 /// A scene as the rasterizer reads it.

@@ -84,6 +84,12 @@ pub trait Trace {
     /// If the stage cannot be started.
     fn gather(&mut self, paths: &mut Self::Paths, slice: &Slice) -> Result<(), Self::Error>;
 
+    /// pixels of a scene of few primitives -> sums on the film: the three stages, for sample after sample
+    ///
+    /// # Errors
+    /// If the stage cannot be started.
+    fn few(&mut self, paths: &mut Self::Paths, slice: &Slice) -> Result<(), Self::Error>;
+
     /// Waits for the stages; how many pixels have got their last sample since the last call.
     ///
     /// # Errors
@@ -146,9 +152,13 @@ fn run<T: Trace>(
             budget: stages.budget(),
         };
         for _ in 0..stages.rounds() {
-            stages.cast(&mut paths, &slice)?;
-            stages.follow(&mut paths, &slice)?;
-            stages.gather(&mut paths, &slice)?;
+            if tables.few {
+                stages.few(&mut paths, &slice)?;
+            } else {
+                stages.cast(&mut paths, &slice)?;
+                stages.follow(&mut paths, &slice)?;
+                stages.gather(&mut paths, &slice)?;
+            }
             rounds = rounds.saturating_add(1);
         }
         done += stages.settle(&mut paths)?;

@@ -6,6 +6,7 @@ pub mod count;
 pub mod cover;
 pub mod facet;
 pub mod fill;
+pub mod hold;
 pub mod mark;
 pub mod plan;
 pub mod project;

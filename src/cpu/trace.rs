@@ -1,6 +1,7 @@
 //! Twins of `wgsl/trace`: the ray tracer's stages, over all cores.
 
 pub mod cast;
+pub mod few;
 pub mod follow;
 pub mod gather;
 pub mod meet;
@@ -13,7 +14,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::tables::{GROUP, Slice, Status, Tables};
+use crate::cpu::lanes::{self, LANES};
+use crate::tables::{GROUP, IDLE, Slice, Status, Tables};
 use crate::trace::{Paths, Trace};
 
 /// The ray tracer on the CPU.
@@ -106,6 +108,38 @@ impl Trace for CpuTrace<'_> {
             let mut status = ONE_GROUP;
             for ((path, sum), id) in paths.iter_mut().zip(sums).zip(ids) {
                 status.pixels += gather::gather(slice, path, sum, id);
+            }
+            status
+        });
+        self.status = both(self.status, told.reduce(|| SILENT, both));
+        Ok(())
+    }
+
+    fn few(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        let depth = self.tables.settings.max_depth as usize;
+        let tables = self.tables;
+        let group = GROUP as usize;
+        let whole =
+            slice.budget == u32::MAX && paths.paths.iter().all(|path| path.sample == 0 && path.state == IDLE);
+        let stacks = paths.waiting.par_chunks_mut(group * depth);
+        let film = paths.sums.par_chunks_mut(group).zip(paths.ids.par_chunks_mut(group));
+        let work = paths.paths.par_chunks_mut(group).zip(stacks).zip(film).enumerate();
+        let told = work.map(|(g, ((paths, stacks), (sums, ids)))| {
+            let mut status = ONE_GROUP;
+            let first = g as u32 * GROUP;
+            if whole {
+                let film = sums.chunks_mut(LANES).zip(ids.chunks_mut(LANES));
+                for ((stacks, (sums, ids)), i) in stacks.chunks_mut(depth * LANES).zip(film).zip(0..) {
+                    let first = slice.first + first + i * LANES as u32;
+                    status = both(status, lanes::few::few(tables, slice, first, stacks, sums, ids));
+                }
+                paths.iter_mut().for_each(|path| path.sample = slice.samples);
+            } else {
+                let film = sums.iter_mut().zip(ids);
+                let stacks = stacks.chunks_mut(depth);
+                for (((path, stack), film), i) in paths.iter_mut().zip(stacks).zip(film).zip(first..) {
+                    few::few(tables, slice, i, path, stack, film, &mut status);
+                }
             }
             status
         });

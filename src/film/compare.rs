@@ -1,6 +1,6 @@
 //! two films -> where they differ, and whether that is more than the table allows
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use image::{Rgb, RgbImage};
 
 use super::{Film, Transfer};
@@ -154,9 +154,10 @@ pub fn compare(a: &Film, b: &Film, standard: Standard) -> Result<Comparison, Siz
         }
         (_, _) if what.what.starts_with("largest z") => largest_z(a, b),
         _ => {
-            let mean = |film: &Film| pixels().map(|p| f64::from(film.color(p).element_sum())).sum::<f64>();
-            let (a, b) = (mean(a), mean(b));
-            if a == b { 0.0 } else { (a - b).abs() / a.abs().max(b.abs()) }
+            let sum = |film: &Film| pixels().map(|p| film.color(p).as_dvec3()).sum::<DVec3>();
+            let (a, b) = (sum(a), sum(b));
+            let relative = (a - b).abs() / a.abs().max(b.abs()).max(DVec3::splat(f64::MIN_POSITIVE));
+            if relative.is_finite() { relative.max_element() } else { f64::NAN }
         }
     };
     let rows = TOLERANCES.iter().filter(|t| t.asked.contains(&standard));
@@ -199,13 +200,13 @@ fn largest_z(a: &Film, b: &Film) -> f64 {
             let rows = top..(top + TILE).min(a.height());
             let columns = left..(left + TILE).min(a.width());
             let pixels = rows.flat_map(|y| columns.clone().map(move |x| y * a.width() + x));
-            let signed: Vec<f64> = pixels.map(|p| f64::from((a.color(p) - b.color(p)).element_sum())).collect();
+            let signed: Vec<_> = pixels.map(|p| (a.color(p) - b.color(p)).as_dvec3()).collect();
             let n = signed.len() as f64;
-            let mean = signed.iter().sum::<f64>() / n;
-            let variance = signed.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / (n - 1.0).max(1.0);
-            // Half a step of an 8-bit picture is no difference, however even it is.
-            let error = (variance / n).sqrt().max(0.5 / 255.0);
-            let z = mean.abs() / error;
+            let mean = signed.iter().sum::<DVec3>() / n;
+            let spread = signed.iter().map(|d| (d - mean) * (d - mean)).sum::<DVec3>() / (n - 1.0).max(1.0);
+            // A tenth of a step of an 8-bit picture is no difference, however even it is.
+            let error = (spread / n).map(f64::sqrt).max(DVec3::splat(0.1 / 255.0));
+            let z = if mean.is_finite() { (mean.abs() / error).max_element() } else { f64::NAN };
             largest = if z.is_nan() || largest.is_nan() { f64::NAN } else { largest.max(z) };
         }
     }

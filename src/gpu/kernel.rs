@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use bytemuck::Pod;
 use naga::proc::Layouter;
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
 use super::wgsl::{Joined, Sources, join};
@@ -83,8 +83,8 @@ impl Kernel {
     /// [`Error::Wgsl`] with file and line if its source is wrong.
     pub fn new(gpu: &Gpu, sources: &Sources, name: &str) -> Result<Self, Error> {
         let joined = join(sources, name).map_err(Error::Wgsl)?;
-        let (module, _) = parse(&joined, name)?;
-        let slots = slots(&module);
+        let (module, info) = parse(&joined, name)?;
+        let slots = slots(&module, &info);
         let entry = module.entry_points.first();
         let group = entry
             .map(|e| e.workgroup_size[0])
@@ -159,12 +159,15 @@ impl Kernel {
     }
 }
 
-/// The bindings of a module, by name.
-fn slots(module: &Module) -> Vec<Slot> {
+/// The bindings that a module's kernel uses, by name.
+fn slots(module: &Module, info: &ModuleInfo) -> Vec<Slot> {
     let mut layouter = Layouter::default();
     // A module that has been validated has a layout.
     let _ = layouter.update(module.to_ctx());
-    let variables = module.global_variables.iter().map(|(_, v)| v);
+    let used = |handle: naga::Handle<naga::GlobalVariable>| {
+        module.entry_points.is_empty() || !info.get_entry_point(0)[handle].is_empty()
+    };
+    let variables = module.global_variables.iter().filter(|(handle, _)| used(*handle)).map(|(_, v)| v);
     let bound = variables.filter_map(|v| Some((v, v.binding.as_ref()?)));
     bound
         .map(|(v, binding)| {

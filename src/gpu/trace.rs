@@ -9,8 +9,8 @@ use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
 use crate::tables::{
-    CUT_SHORT, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere, Status, Tables, Triangle, View,
-    Waiting,
+    BLINN, CUT_SHORT, Few, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere, Status, Tables,
+    Triangle, View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -24,6 +24,7 @@ pub struct GpuTrace<'a> {
     cast: Kernel,
     follow: Kernel,
     gather: Kernel,
+    few: Option<Kernel>,
     max_depth: u32,
     samples: u32,
     view: Buffer<View>,
@@ -33,6 +34,7 @@ pub struct GpuTrace<'a> {
     triangles: Buffer<Triangle>,
     materials: Buffer<Material>,
     lights: Buffer<Light>,
+    scene: Buffer<Few>,
     slice: Buffer<Slice>,
     status: Buffer<Status>,
     /// Recorded and not yet submitted, with the workgroups it should report.
@@ -58,6 +60,20 @@ impl<'a> GpuTrace<'a> {
     /// # Errors
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
+        let blinn = usize::from(tables.settings.specular == BLINN);
+        let written_out = [
+            ("blinn", blinn),
+            ("phong", 1 - blinn),
+            ("spheres", tables.spheres.len()),
+            ("planes", tables.planes.len()),
+            ("materials", tables.materials.len()),
+            ("lights", tables.lights.len()),
+        ];
+        let few = tables.few.then(|| {
+            let counted = written_out.into_iter();
+            let counted = counted.fold(sources.clone(), |all, (kind, count)| all.with_count(kind, count as u32));
+            Kernel::new(gpu, &counted, "trace/few")
+        });
         let depth = u64::from(tables.settings.max_depth);
         let a_pixel = depth * size_of::<Waiting>() as u64 + size_of::<Path>() as u64;
         let pixels = (PATH_BYTES / a_pixel).min(1 << 18) as u32;
@@ -66,6 +82,7 @@ impl<'a> GpuTrace<'a> {
             cast: Kernel::new(gpu, sources, "trace/cast")?,
             follow: Kernel::new(gpu, sources, "trace/follow")?,
             gather: Kernel::new(gpu, sources, "trace/gather")?,
+            few: few.transpose()?,
             max_depth: tables.settings.max_depth,
             samples: tables.samples,
             view: gpu.uniform("view", &tables.view)?,
@@ -75,6 +92,7 @@ impl<'a> GpuTrace<'a> {
             triangles: gpu.upload("triangles", &tables.triangles)?,
             materials: gpu.upload("materials", &tables.materials)?,
             lights: gpu.upload("lights", &tables.lights)?,
+            scene: gpu.uniform("scene", &tables.scene())?,
             slice: gpu.uniform("slice", &Slice::zeroed())?,
             status: gpu.zeroed("status", 1)?,
             recorded: None,
@@ -170,6 +188,7 @@ impl Trace for GpuTrace<'_> {
     fn cast(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
         self.record(slice, |this, encoder| {
             let bindings = [
+                Binding::new("settings", &this.settings),
                 Binding::new("view", &this.view),
                 Binding::new("slice", &this.slice),
                 Binding::new("paths", &paths.paths),
@@ -208,6 +227,24 @@ impl Trace for GpuTrace<'_> {
                 Binding::new("status", &this.status),
             ];
             this.gather.dispatch(this.gpu, encoder, &bindings, slice.count)
+        })
+    }
+
+    fn few(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
+        self.record(slice, |this, encoder| {
+            let Some(few) = &this.few else { return Ok(0) };
+            let bindings = [
+                Binding::new("settings", &this.settings),
+                Binding::new("scene", &this.scene),
+                Binding::new("view", &this.view),
+                Binding::new("slice", &this.slice),
+                Binding::new("paths", &paths.paths),
+                Binding::new("waiting", &paths.waiting),
+                Binding::new("sums", &paths.sums),
+                Binding::new("ids", &paths.ids),
+                Binding::new("status", &this.status),
+            ];
+            few.dispatch(this.gpu, encoder, &bindings, slice.count)
         })
     }
 

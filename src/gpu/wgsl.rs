@@ -4,6 +4,11 @@ use std::borrow::Cow;
 
 /// A line of this form is replaced by a file's text, the first time that the file is named.
 const IMPORT: &str = "#import ";
+/// The lines from one of this form to [`END`] are written once for each of a kind of thing, with its number in the
+/// place of [`NUMBER`]: an index that is a constant is what lavapipe reads once for all lanes, not lane by lane.
+const REPEAT: &str = "#repeat ";
+const END: &str = "#end";
+const NUMBER: &str = "$i";
 
 macro_rules! embed {
     ($($name:literal),+ $(,)?) => {
@@ -14,6 +19,7 @@ macro_rules! embed {
 }
 
 embed! {
+    "math/fence",
     "math/power",
     "math/random",
     "math/sphere",
@@ -23,8 +29,8 @@ embed! {
     "raster/count",
     "raster/cover",
     "raster/facet",
-    "raster/fence",
     "raster/fill",
+    "raster/hold",
     "raster/mark",
     "raster/plan",
     "raster/project",
@@ -52,11 +58,15 @@ embed! {
     "tables/triangle",
     "tables/view",
     "trace/cast",
+    "trace/few",
     "trace/follow",
     "trace/gather",
     "trace/meet",
+    "trace/primary",
     "trace/scatter",
     "trace/surface",
+    "trace/tree",
+    "trace/unrolled",
     "trace/walk",
 }
 
@@ -64,6 +74,7 @@ embed! {
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
     changed: Vec<(String, String)>,
+    counts: Vec<(String, u32)>,
 }
 
 impl Sources {
@@ -80,6 +91,26 @@ impl Sources {
         self.changed.retain(|(n, _)| n != name);
         self.changed.push((name.to_owned(), text));
         self
+    }
+
+    /// The same sources for so many of a kind of thing: what is in `#repeat KIND` is written as often; else once.
+    #[must_use]
+    pub fn with_count(mut self, kind: &str, count: u32) -> Self {
+        self.counts.retain(|(k, _)| k != kind);
+        self.counts.push((kind.to_owned(), count));
+        self
+    }
+
+    /// A line with each `$KIND` replaced by how many there are.
+    fn counted<'a>(&self, line: &'a str) -> Cow<'a, str> {
+        let Some((before, rest)) = line.split_once('$') else { return Cow::Borrowed(line) };
+        let end = rest.find(|c: char| !c.is_ascii_lowercase()).unwrap_or(rest.len());
+        let (kind, after) = rest.split_at(end);
+        Cow::Owned(format!("{before}{}{after}", self.count(kind)))
+    }
+
+    fn count(&self, kind: &str) -> u32 {
+        self.counts.iter().find(|(k, _)| k == kind).map_or(1, |(_, count)| *count)
     }
 }
 
@@ -117,14 +148,25 @@ fn pull(sources: &Sources, name: &str, seen: &mut Vec<String>, out: &mut Joined)
     }
     let text = sources.get(name).ok_or_else(|| format!("there is no file wgsl/{name}.wgsl"))?;
     seen.push(name.to_owned());
-    for (line, number) in text.lines().zip(1..) {
+    let put = |out: &mut Joined, line: &str, number: u32| {
+        out.text.push_str(line);
+        out.text.push('\n');
+        out.lines.push((format!("wgsl/{name}.wgsl"), number));
+    };
+    let mut lines = text.lines().zip(1..);
+    while let Some((line, number)) = lines.next() {
         if let Some(import) = line.strip_prefix(IMPORT) {
             let import = import.trim().trim_matches('"').trim_end_matches(".wgsl");
             pull(sources, import, seen, out).map_err(|e| format!("wgsl/{name}.wgsl:{number}: {e}"))?;
+        } else if let Some(kind) = line.trim_start().strip_prefix(REPEAT) {
+            let body: Vec<_> = lines.by_ref().take_while(|(line, _)| line.trim() != END).collect();
+            for i in 0..sources.count(kind.trim()) {
+                for (line, number) in &body {
+                    put(out, &line.replace(NUMBER, &i.to_string()), *number);
+                }
+            }
         } else {
-            out.text.push_str(line);
-            out.text.push('\n');
-            out.lines.push((format!("wgsl/{name}.wgsl"), number));
+            put(out, &sources.counted(line), number);
         }
     }
     Ok(())

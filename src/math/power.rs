@@ -27,12 +27,13 @@ pub fn exp2_exact(y: f32) -> f32 {
         return 0.0;
     }
     let top = y.min(127.0);
-    let whole = (top + 0.5).floor();
-    let f = top - whole;
+    // Above zero, so that cutting off the fraction rounds `top` to the nearest whole number, plus 127.
+    let biased = (top + 127.5) as i32;
+    let f = top - (biased - 127) as f32;
     let series = 1.0
         + f * (0.693_147_2
             + f * (0.240_226_51 + f * (0.055_504_11 + f * (0.009_618_13 + f * (0.001_333_36 + f * 0.000_154_04)))));
-    series * f32::from_bits(((whole as i32 + 127) as u32) << 23)
+    series * f32::from_bits((biased as u32) << 23)
 }
 
 /// x^k for `x >= 0`; 0^0 is 1.

@@ -8,8 +8,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::value::{
-    Aspect, At, Color, Degrees, Depth, Direction, Exponent, Index, Intensity, Length, Position, Samples, Seed,
-    Side, Weight,
+    Aspect, At, Color, Degrees, Depth, Direction, Exactly, Exponent, Index, Intensity, Length, Position, Samples,
+    Seed, Side, Weight,
 };
 use crate::film::Transfer;
 
@@ -99,7 +99,7 @@ fn far() -> At<Length> {
 #[serde(deny_unknown_fields, default)]
 pub struct Film {
     /// Width and height in pixels. [800, 600] unless given.
-    pub size: At<[Side; 2]>,
+    pub size: At<Exactly<Side, 2>>,
     /// How colors become a display's numbers: "srgb" (linear light, encoded), or "none" (the display's own).
     pub transfer: Transfer,
     /// What is seen where nothing is. Black unless given.
@@ -108,7 +108,11 @@ pub struct Film {
 
 impl Default for Film {
     fn default() -> Self {
-        Self { size: At::nowhere([Side(800), Side(600)]), transfer: Transfer::Srgb, background: Color::BLACK }
+        Self {
+            size: At::nowhere(Exactly([Side(800), Side(600)])),
+            transfer: Transfer::Srgb,
+            background: Color::BLACK,
+        }
     }
 }
 
@@ -290,7 +294,7 @@ pub struct Plane {
 #[serde(deny_unknown_fields)]
 pub struct Triangle {
     /// Its three corners, in world space; not on one line.
-    pub vertices: At<[Position; 3]>,
+    pub vertices: At<Exactly<Position, 3>>,
     /// The name of its material.
     pub material: At<String>,
 }

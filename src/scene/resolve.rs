@@ -83,7 +83,7 @@ impl Resolver<'_> {
         });
         let triangles = objects.triangle.iter().map(|t| {
             let material = self.named(&names, &t.material)?;
-            let vertices = t.vertices.get().map(|v| v.0);
+            let vertices = t.vertices.get().0.map(|v| v.0);
             let [a, b, c] = vertices;
             if (b - a).cross(c - a).length_squared() < f32::MIN_POSITIVE {
                 return self.refuse(&t.vertices, "a triangle's corners are three points not on one line");
@@ -142,7 +142,7 @@ impl Resolver<'_> {
     }
 
     fn film(&self, film: &file::Film) -> Result<FilmSettings, Error> {
-        let size = film.size.get().map(|side| side.0);
+        let size = film.size.get().0.map(|side| side.0);
         if let Err(error) = fits(size) {
             return self.refuse(&film.size, &error.to_string());
         }

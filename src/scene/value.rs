@@ -1,6 +1,11 @@
 //! a number or list in the file -> a value that is in range, or an error at its very place
 
+mod number;
+
+pub use number::{Aspect, Degrees, Depth, Exponent, Index, Intensity, Length, Samples, Seed, Side, Weight};
+
 use std::fmt;
+use std::marker::PhantomData;
 
 use glam::Vec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -8,6 +13,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error as _, SeqAccess, Visitor};
 
 use crate::film::{Transfer, decode_hex};
+use number::Number;
 
 /// A value and the bytes of the text that it was read from; none if it was left out.
 #[derive(Debug, Clone, Deserialize)]
@@ -42,84 +48,6 @@ impl<T: JsonSchema> JsonSchema for At<T> {
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         T::json_schema(generator)
-    }
-}
-
-/// A number between two bounds, both of them allowed, and what to say if it is not.
-macro_rules! number {
-    ($(#[$doc:meta])* $name:ident, $low:expr, $high:expr, $right:literal) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq)]
-        pub struct $name(pub f32);
-
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let number = deserializer.deserialize_any(Number($right)).map_err(|_| D::Error::custom($right))?;
-                let single = number as f32;
-                if ($low..=$high).contains(&single) { Ok(Self(single)) } else { Err(D::Error::custom($right)) }
-            }
-        }
-
-        impl JsonSchema for $name {
-            fn schema_name() -> std::borrow::Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({"type": "number", "minimum": $low, "maximum": $high, "description": $right})
-            }
-        }
-    };
-}
-
-number! {
-    /// A share of the light.
-    Weight, 0.0, 1.0, "a weight is a number from 0 to 1"
-}
-number! {
-    /// How much light.
-    Intensity, 0.0, 1e6, "an intensity is a number from 0 to 1e6"
-}
-number! {
-    /// The specular exponent.
-    Exponent, 0.0, 1e4, "an exponent is a number from 0 to 1e4"
-}
-number! {
-    /// A refractive index.
-    Index, 1.0, 10.0, "a refractive index is a number from 1 to 10"
-}
-number! {
-    /// A length in world units.
-    Length, 1e-6, 1e9, "a length is a number from 1e-6 to 1e9"
-}
-number! {
-    /// A vertical field of view, in degrees.
-    Degrees, 1.0, 179.0, "a vertical field of view is a number of degrees from 1 to 179"
-}
-number! {
-    /// Width to height.
-    Aspect, 0.01, 100.0, "an aspect is a width divided by a height, from 0.01 to 100"
-}
-
-struct Number(&'static str);
-
-impl Visitor<'_> for Number {
-    type Value = f64;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.0)
-    }
-
-    fn visit_f64<E>(self, v: f64) -> Result<f64, E> {
-        Ok(v)
-    }
-
-    fn visit_i64<E>(self, v: i64) -> Result<f64, E> {
-        Ok(v as f64)
-    }
-
-    fn visit_u64<E>(self, v: u64) -> Result<f64, E> {
-        Ok(v as f64)
     }
 }
 
@@ -285,56 +213,47 @@ impl JsonSchema for Color {
     }
 }
 
-/// A whole number between two bounds, both of them allowed.
-macro_rules! count {
-    ($(#[$doc:meta])* $name:ident, $low:expr, $high:expr, $right:literal) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub struct $name(pub u32);
+/// A list of just so many.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exactly<T, const N: usize>(pub [T; N]);
 
-        impl $name {
-            /// The number, if it is in range.
-            #[must_use]
-            pub fn new(number: i64) -> Option<Self> {
-                (i64::from($low)..=i64::from($high)).contains(&number).then_some(Self(number as u32))
-            }
+struct Many<T, const N: usize>(PhantomData<T>);
 
-            /// What would be right.
-            pub const RIGHT: &'static str = $right;
+impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for Many<T, N> {
+    type Value = Exactly<T, N>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a list of {N}")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
+        let mut all = Vec::with_capacity(N);
+        while let Some(entry) = list.next_element()? {
+            all.push(entry);
         }
-
-        impl<'de> Deserialize<'de> for $name {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let number = i64::deserialize(deserializer).map_err(|_| D::Error::custom($right))?;
-                Self::new(number).ok_or_else(|| D::Error::custom($right))
-            }
-        }
-
-        impl JsonSchema for $name {
-            fn schema_name() -> std::borrow::Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({"type": "integer", "minimum": $low, "maximum": $high, "description": $right})
-            }
-        }
-    };
+        let found = all.len();
+        let all = <[T; N]>::try_from(all);
+        all.map(Exactly).map_err(|_| A::Error::custom(format!("invalid length {found}, expected a list of {N}")))
+    }
 }
 
-count! {
-    /// Pixels along a side of the film.
-    Side, 1_u32, super::LONGEST_SIDE, "a film's side is a whole number of pixels from 1 to 65536"
+impl<'de, T: Deserialize<'de>, const N: usize> Deserialize<'de> for Exactly<T, N> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(Many(PhantomData))
+    }
 }
-count! {
-    /// Samples a pixel.
-    Samples, 1_u32, super::MOST_SAMPLES, "samples are a whole number from 1 to 65536"
-}
-count! {
-    /// Rays in a branch.
-    Depth, 1_u32, super::DEEPEST, "a depth is a whole number of rays from 1 to 32"
-}
-count! {
-    /// Any 32 bits.
-    Seed, 0_u32, u32::MAX, "a seed is a whole number from 0 to 4294967295"
+
+impl<T: JsonSchema, const N: usize> JsonSchema for Exactly<T, N> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        format!("{}{N}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let items = generator.subschema_for::<T>();
+        json_schema!({"type": "array", "items": items, "minItems": N, "maxItems": N})
+    }
 }

@@ -26,7 +26,7 @@ pub struct Map {
 pub struct Paint {
     /// Times the diffuse map.
     pub color: Vec3,
-    /// The specular exponent; times 255 times the exponent map, if there is one.
+    /// The specular exponent; times the exponent map, if there is one.
     pub exponent: f32,
     /// Weight of the specular term; times the specular map.
     pub specular: Vec3,
@@ -38,7 +38,7 @@ pub struct Paint {
     pub normal_map: Map,
     /// Weights.
     pub specular_map: Map,
-    /// Exponents / 255, in red.
+    /// Shares of the exponent, in red.
     pub exponent_map: Map,
 }
 

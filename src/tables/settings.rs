@@ -22,8 +22,10 @@ pub struct Settings {
     pub specular: u32,
     /// A path whose weight is not above this is not followed.
     pub cutoff: f32,
+    /// Zero, which no compiler can know: see `wgsl/math/fence.wgsl`.
+    pub zero: u32,
     /// Zero: room that WGSL asks for.
-    pub pad: [u32; 2],
+    pub pad: u32,
 }
 
 /// The reflected light against the eye: the spec's text.

@@ -21,11 +21,12 @@ fn exp2_exact(y: f32) -> f32 {
         return 0.0;
     }
     let top = min(y, 127.0);
-    let whole = floor(top + 0.5);
-    let f = top - whole;
+    // Above zero, so that cutting off the fraction rounds `top` to the nearest whole number, plus 127.
+    let biased = i32(top + 127.5);
+    let f = top - f32(biased - 127);
     let series = 1.0 + f * (0.69314718 + f * (0.24022651 + f * (0.05550411
         + f * (0.00961813 + f * (0.00133336 + f * 0.00015404)))));
-    return series * bitcast<f32>(u32(i32(whole) + 127) << 23u);
+    return series * bitcast<f32>(u32(biased) << 23u);
 }
 
 fn power(x: f32, k: f32) -> f32 {

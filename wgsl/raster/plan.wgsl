@@ -1,5 +1,5 @@
 // three corners in fixed point -> integer planes: coverage and depth at any pixel, exactly
-#import "raster/fence.wgsl"
+#import "raster/hold.wgsl"
 
 // Of a triangle whose area is above zero, as seen from a pixel near it, its origin. A pixel (x, y) from there is
 // covered where a * x + b * y + e >= 0 for all three edges.
@@ -78,7 +78,7 @@ fn edge(p: vec3i, q: vec3i, origin: vec2i) -> vec3i {
 
 // A slope in depths a pixel, from its numerator and twice the area.
 fn slope(numerator: f32, area: f32) -> i32 {
-    return i32(clamp(floor(fence(numerator * 256.0) / area + 0.5), -1073741824.0, 1073741824.0));
+    return i32(clamp(floor(hold(numerator * 256.0) / area + 0.5), -1073741824.0, 1073741824.0));
 }
 
 // p, q, r with an area above zero, as seen from the pixel `origin`.
@@ -87,11 +87,11 @@ fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
     let qr = edge(q, r, origin);
     let rp = edge(r, p, origin);
     let parts = area(p, q, r);
-    let size = (fence(f32(parts.x) * 16777216.0) + fence(f32(parts.y) * 4096.0)) + f32(parts.z);
+    let size = (hold(f32(parts.x) * 16777216.0) + hold(f32(parts.y) * 4096.0)) + f32(parts.z);
     let u = vec3f(q - p);
     let v = vec3f(r - p);
-    let zx = slope(fence(u.z * v.y) - fence(v.z * u.y), size);
-    let zy = slope(fence(v.z * u.x) - fence(u.z * v.x), size);
+    let zx = slope(hold(u.z * v.y) - hold(v.z * u.y), size);
+    let zy = slope(hold(v.z * u.x) - hold(u.z * v.x), size);
     let from_center = p.xy - vec2i(128);
     let whole = from_center >> vec2u(8u);
     let part = from_center & vec2i(255);

@@ -21,9 +21,9 @@
 // Products fenced one by one, summed in one order.
 fn sum_by(w: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
     return vec3f(
-        (fence(a.x * w.x) + fence(b.x * w.y)) + fence(c.x * w.z),
-        (fence(a.y * w.x) + fence(b.y * w.y)) + fence(c.y * w.z),
-        (fence(a.z * w.x) + fence(b.z * w.y)) + fence(c.z * w.z),
+        (hold(a.x * w.x) + hold(b.x * w.y)) + hold(c.x * w.z),
+        (hold(a.y * w.x) + hold(b.y * w.y)) + hold(c.y * w.z),
+        (hold(a.z * w.x) + hold(b.z * w.y)) + hold(c.z * w.z),
     );
 }
 
@@ -38,7 +38,7 @@ fn bumped(n: vec3f, a: Vertex, b: Vertex, c: Vertex, tangent: vec3f) -> vec3f {
     let f = c.position - a.position;
     let du = vec2f(b.u - a.u, c.u - a.u);
     let dv = vec2f(b.v - a.v, c.v - a.v);
-    let turn = fence(du.x * dv.y) - fence(du.y * dv.x);
+    let turn = hold(du.x * dv.y) - hold(du.y * dv.x);
     if (turn == 0.0) {
         return n;
     }
@@ -83,7 +83,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     }
     var exponent = paint.exponent;
     if (paint.exponent_map.first != NONE) {
-        exponent *= 255.0 * sample_map(paint.exponent_map, uv, right, down, false).x;
+        exponent *= sample_map(paint.exponent_map, uv, right, down, false).x;
     }
     var n = unit(sum_by(w, a.normal, b.normal, c.normal));
     if (paint.normal_map.first != NONE) {

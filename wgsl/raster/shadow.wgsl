@@ -35,9 +35,9 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     }
     let width = i32(lenses[by].width);
     let height = i32(lenses[by].height);
-    let column = i32(floor((fence(x / w) * 0.5 + 0.5) * f32(width)));
-    let row = i32(floor((0.5 - fence(y / w) * 0.5) * f32(height)));
-    let depth = u32(fence(z / w) * f32(DEEP));
+    let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
+    let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
+    let depth = u32(hold(z / w) * f32(DEEP));
     let blur = i32(canvas.blur);
     var open = 0;
     for (var j = -blur; j <= blur; j++) {

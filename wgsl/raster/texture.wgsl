@@ -2,7 +2,7 @@
 #import "tables/paint.wgsl"
 #import "tables/settings.wgsl"
 #import "math/power.wgsl"
-#import "raster/fence.wgsl"
+#import "raster/hold.wgsl"
 
 // A level of a map: its first texel and its size.
 struct Level {
@@ -37,12 +37,12 @@ fn texel(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
 
 fn blend(p: vec3f, q: vec3f, share: f32) -> vec3f {
     let way = q - p;
-    return p + vec3f(fence(way.x * share), fence(way.y * share), fence(way.z * share));
+    return p + vec3f(hold(way.x * share), hold(way.y * share), hold(way.z * share));
 }
 
 fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
-    let x = fence(u * f32(level.width)) - 0.5;
-    let y = fence(v * f32(level.height)) - 0.5;
+    let x = hold(u * f32(level.width)) - 0.5;
+    let y = hold(v * f32(level.height)) - 0.5;
     let column = i32(floor(x));
     let row = i32(floor(y));
     let across = x - floor(x);
@@ -53,7 +53,7 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
 
 // `right` and `down`: the texture coordinates one pixel further on.
 fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
-    let full = vec2f(fence(uv.x * map.scale.x), fence(uv.y * map.scale.y)) + map.shift;
+    let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     let u = full.x - floor(full.x);
     let v = full.y - floor(full.y);
     let finest = level_of(map, 0u);
@@ -66,7 +66,7 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
     let size = map.scale * vec2f(f32(map.width), f32(map.height));
     let dx = (right - uv) * size;
     let dy = (down - uv) * size;
-    let stride = max(fence(dx.x * dx.x) + fence(dx.y * dx.y), fence(dy.x * dy.x) + fence(dy.y * dy.y));
+    let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
     let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
     let fine = u32(detail);
     let near = bilinear(level_of(map, fine), u, v, decode);

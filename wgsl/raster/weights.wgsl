@@ -9,13 +9,13 @@
 fn weights(a: vec4f, b: vec4f, c: vec4f, at: vec2f) -> vec3f {
     let x = at.x * 2.0 / f32(lens.width) - 1.0;
     let y = 1.0 - at.y * 2.0 / f32(lens.height);
-    let p = a.xy - vec2f(fence(x * a.w), fence(y * a.w));
-    let q = b.xy - vec2f(fence(x * b.w), fence(y * b.w));
-    let r = c.xy - vec2f(fence(x * c.w), fence(y * c.w));
+    let p = a.xy - vec2f(hold(x * a.w), hold(y * a.w));
+    let q = b.xy - vec2f(hold(x * b.w), hold(y * b.w));
+    let r = c.xy - vec2f(hold(x * c.w), hold(y * c.w));
     let areas = vec3f(
-        fence(q.x * r.y) - fence(q.y * r.x),
-        fence(r.x * p.y) - fence(r.y * p.x),
-        fence(p.x * q.y) - fence(p.y * q.x),
+        hold(q.x * r.y) - hold(q.y * r.x),
+        hold(r.x * p.y) - hold(r.y * p.x),
+        hold(p.x * q.y) - hold(p.y * q.x),
     );
     let sum = (areas.x + areas.y) + areas.z;
     if (sum == 0.0) {

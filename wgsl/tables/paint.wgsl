@@ -14,7 +14,7 @@ struct Map {
 struct Paint {
     // Times the diffuse map.
     color: vec3f,
-    // Times 255 times the exponent map, if there is one.
+    // Times the exponent map, if there is one.
     exponent: f32,
     // Times the specular map.
     specular: vec3f,

@@ -10,7 +10,9 @@ struct Settings {
     specular: u32,
     // A path whose weight falls below this is not followed.
     cutoff: f32,
-    pad: vec2u,
+    // Zero, which no compiler can know: see math/fence.
+    zero: u32,
+    pad: u32,
 }
 
 const PHONG: u32 = 0u;

@@ -74,7 +74,7 @@ fn color_at(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, i
     }
     let mut exponent = paint.exponent;
     if paint.exponent_map.first != NONE {
-        exponent *= 255.0 * read(&paint.exponent_map, false).x;
+        exponent *= read(&paint.exponent_map, false).x;
     }
     let mut n = unit(sum_by(w, a.normal, b.normal, c.normal));
     if paint.normal_map.first != NONE {

@@ -2,6 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
+use crate::math::fence::fence;
 use crate::math::random::unit_float;
 use crate::math::vector::unit;
 use crate::tables::{FAR, IDLE, NONE, Path, SEEK, Slice, View};
@@ -25,7 +26,7 @@ pub fn primary(view: &View, pixel: u32, sample: u32) -> Vec3 {
     let at = place(view, sample);
     let x = ((pixel % view.width) as f32 + at.x) / view.width as f32 - 0.5;
     let y = ((view.height - 1 - pixel / view.width) as f32 + at.y) / view.height as f32 - 0.5;
-    unit(view.right * x + view.up * y - view.back)
+    unit(fence(view.right * x + view.up * y) - view.back)
 }
 
 /// Starts pixel `i` of the slice on its next sample, if it has one and is idle.

@@ -113,6 +113,33 @@ fn lit(tables: &Tables, path: &Path, surface: &Surface, source: &Light) -> Lit {
     Lit { color, shadow, reach: if point_light { 1.0 } else { FAR } }
 }
 
+/// Follows one ray whole, with its shadow rays, and takes up the next: a turn in a scene of few primitives.
+pub fn step(tables: &Tables, slice: &Slice, i: u32, path: &mut Path, waiting: &mut [Waiting], status: &mut Status) {
+    let settings = &tables.settings;
+    let ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
+    let found = walk(tables, ray, Found { t: FAR, hit: NONE, next: 0 }, primitives(tables), false);
+    path.hit = found.hit;
+    if path.rays == 0 {
+        path.seen = found.hit;
+    }
+    if found.hit == NONE {
+        path.radiance += path.weight * settings.background;
+        turn_back(path, waiting);
+        return;
+    }
+    let surface = surface_at(tables, ray, found.t, found.hit);
+    if path.inside == 0 {
+        for source in &tables.lights {
+            let asked = lit(tables, path, &surface, source);
+            let start = Found { t: asked.reach, hit: NONE, next: 0 };
+            if asked.reach > 0.0 && walk(tables, asked.shadow, start, primitives(tables), true).hit == NONE {
+                path.radiance += asked.color;
+            }
+        }
+    }
+    go_on(tables, slice, i, &surface, path, waiting, status);
+}
+
 /// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long.
 pub fn follow(
     tables: &Tables,

@@ -1,0 +1,76 @@
+//! Whole frames: GPU against CPU, and portions of any size against an unbroken run.
+
+use twinlight::cpu::trace::CpuTrace;
+use twinlight::film::Film;
+use twinlight::film::compare::{Standard, compare};
+use twinlight::gpu::wgsl::Sources;
+use twinlight::trace;
+
+use super::{Sliced, on_cpu, on_gpu, random_scene, scenes, small, tables_of};
+
+fn same(a: &Film, b: &Film, what: &str) {
+    let comparison = compare(a, b, Standard::Exact).expect("one size");
+    assert!(comparison.passes(), "{what}: {comparison:#?}");
+}
+
+#[test]
+fn shipped_scenes_are_the_same_to_the_bit() {
+    for path in scenes() {
+        for (size, samples) in [([97, 61], 4), ([61, 97], 3)] {
+            let tables = tables_of(&small(&path, size, samples));
+            let gpu = on_gpu(&Sources::default(), &tables).expect("a film");
+            same(&on_cpu(&tables), &gpu, &path.display().to_string());
+            let lit = (0..gpu.pixels()).filter(|&p| gpu.color(p).max_element() > 0.05).count();
+            assert!(lit * 2 > gpu.pixels() as usize, "{}: a black picture proves nothing", path.display());
+        }
+    }
+}
+
+#[test]
+fn random_scenes_are_the_same_to_the_bit() {
+    for number in 0..60 {
+        let tables = tables_of(&random_scene(number));
+        let gpu = on_gpu(&Sources::default(), &tables).expect("a film");
+        same(&on_cpu(&tables), &gpu, &format!("random scene {number}"));
+    }
+}
+
+#[test]
+fn portions_do_not_show() {
+    for number in 0..12 {
+        let tables = tables_of(&random_scene(number));
+        let whole = on_cpu(&tables);
+        for (budget, pixels, rounds) in [(5, 1000, 1), (6, 64, 2), (17, 65, 3), (200, 7, 1)] {
+            let mut stages = Sliced { stages: CpuTrace::new(&tables), budget, pixels, rounds };
+            let Ok(film) = trace::frame(&mut stages, &tables, &mut |_| ());
+            same(&whole, &film, &format!("scene {number}, budget {budget}, {pixels} pixels, {rounds} rounds"));
+        }
+    }
+}
+
+#[test]
+fn samples_add_up_in_order() {
+    let scene = random_scene(3);
+    let mut tables = tables_of(&scene);
+    tables.view.grid = 0;
+    tables.samples = 5;
+    let five = on_cpu(&tables);
+    tables.samples = 9;
+    let nine = on_cpu(&tables);
+    assert_ne!(five, nine, "more samples are another film");
+    // Nine samples in a run that stops after five and goes on.
+    let mut stages = CpuTrace::new(&tables);
+    let mut paths = trace::Paths::new(0..nine.pixels(), tables.settings.max_depth);
+    for samples in [5, 9] {
+        let slice = twinlight::tables::Slice { first: 0, count: nine.pixels(), samples, budget: u32::MAX };
+        for _ in 0..samples {
+            use twinlight::trace::Trace as _;
+            let Ok(()) = stages.cast(&mut paths, &slice);
+            let Ok(()) = stages.follow(&mut paths, &slice);
+            let Ok(()) = stages.gather(&mut paths, &slice);
+        }
+        let mut film = Film::new(nine.width(), nine.height());
+        film.put(0, &paths.sums, &paths.ids);
+        same(if samples == 5 { &five } else { &nine }, &film, "a run that was stopped");
+    }
+}

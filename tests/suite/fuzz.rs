@@ -1,0 +1,105 @@
+//! Any bytes as a scene: an error or a picture, never a panic. The long run: `TWINLIGHT_FUZZ_SECONDS=3600`.
+
+use std::panic::catch_unwind;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use twinlight::scene::{Error, parse};
+
+use super::{Dice, on_cpu, scenes, tables_of};
+
+const WORDS: &[&str] = &[
+    "nan",
+    "inf",
+    "-inf",
+    "1e999",
+    "-0.0",
+    "1e-45",
+    "9223372036854775807",
+    "[",
+    "]",
+    "\"",
+    "[[",
+    "]]",
+    "=",
+    "{",
+    "}",
+    "\n",
+    "#",
+    "material",
+    "[camera]",
+    "[[object.sphere]]",
+    "radius = 1\n",
+    "true",
+    "1979-05-27",
+    "'''",
+    "\"\"\"",
+    "\\u",
+    "\0",
+    "\u{feff}",
+    "🦀",
+    "fov = 179\n",
+    "depth = 32\n",
+    "samples = 65536\n",
+    "size = [1, 65536]\n",
+    "0, 0, 0",
+];
+
+fn mutate(dice: &mut Dice, seeds: &[String]) -> Vec<u8> {
+    let mut bytes = seeds[dice.below(seeds.len())].clone().into_bytes();
+    for _ in 0..=dice.below(6) {
+        let at = dice.below(bytes.len() + 1);
+        match dice.below(6) {
+            0 if at < bytes.len() => bytes[at] ^= 1 << dice.below(8),
+            1 => drop(bytes.drain(at..(at + dice.below(40)).min(bytes.len()))),
+            2 => drop(bytes.splice(at..at, WORDS[dice.below(WORDS.len())].bytes())),
+            3 => bytes.truncate(at),
+            4 => {
+                let from = dice.below(bytes.len() + 1);
+                let piece = bytes[from..(from + dice.below(60)).min(bytes.len())].to_vec();
+                drop(bytes.splice(at..at, piece));
+            }
+            _ => {
+                let end = (at + 4).min(bytes.len());
+                let number = format!("{}e{}", dice.within(-9.0, 9.0), dice.below(80) as i32 - 40);
+                drop(bytes.splice(at..end, number.bytes()));
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+fn no_text_makes_it_panic_or_hang() {
+    let seconds = std::env::var("TWINLIGHT_FUZZ_SECONDS").ok().and_then(|s| s.parse().ok()).unwrap_or(4);
+    let seeds: Vec<_> = scenes().iter().map(|p| std::fs::read_to_string(p).expect("a scene")).collect();
+    let (mut tried, mut rendered) = (0_u64, 0_u64);
+    let end = Instant::now() + Duration::from_secs(seconds);
+    let mut dice = Dice(u32::from(seconds > 4), 0);
+    while Instant::now() < end {
+        let bytes = mutate(&mut dice, &seeds);
+        let Ok(text) = String::from_utf8(bytes) else { continue };
+        let start = Instant::now();
+        let outcome = catch_unwind(|| match parse(&text, Path::new("fuzz.toml")) {
+            Ok(mut scene) => {
+                scene.resize([3, 2]).expect("six pixels fit");
+                scene.trace.samples = 1;
+                scene.trace.depth = scene.trace.depth.min(4);
+                let film = on_cpu(&tables_of(&scene));
+                film.to_rgb8(scene.film.transfer).width() == 3
+            }
+            Err(error @ Error::Text(_)) => {
+                assert!(error.to_string().starts_with("fuzz.toml:"), "{error}");
+                false
+            }
+            Err(other) => panic!("{other}"),
+        });
+        match outcome {
+            Ok(picture) => rendered += u64::from(picture),
+            Err(_) => panic!("this text panics:\n{text}"),
+        }
+        assert!(start.elapsed() < Duration::from_secs(2), "this text takes {:?}:\n{text}", start.elapsed());
+        tried += 1;
+    }
+    assert!(tried > 100 && rendered > 10, "{tried} tried, {rendered} rendered: that is no fuzzing");
+}

@@ -1,0 +1,136 @@
+//! Rust tables equal WGSL structs: names, offsets, sizes and constants.
+
+use naga::{Literal, Module, TypeInner};
+use twinlight::gpu::wgsl::{FILES, Sources, join};
+use twinlight::tables::{
+    self, Light, Material, Path, Plane, Settings, Slice, Sphere, Status, Triangle, View, Waiting,
+};
+
+/// All tables in one module.
+fn module() -> Module {
+    let mut text = String::new();
+    for (name, _) in FILES.iter().filter(|(name, _)| name.starts_with("tables/")) {
+        text += &join(&Sources::default(), name).unwrap_or_else(|e| panic!("{e}")).text;
+    }
+    naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)))
+}
+
+#[derive(Debug, PartialEq)]
+struct Layout {
+    fields: Vec<(String, u32)>,
+    size: u32,
+}
+
+fn in_wgsl(module: &Module, name: &str) -> Layout {
+    let found = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
+    let (_, ty) = found.unwrap_or_else(|| panic!("wgsl/tables has no struct {name}"));
+    let TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
+    let fields = members.iter().map(|m| (m.name.clone().unwrap_or_default(), m.offset)).collect();
+    Layout { fields, size: *span }
+}
+
+macro_rules! mirror {
+    ($module:expr, $ty:ident { $($field:ident),+ $(,)? }) => {{
+        // A field that is forgotten here does not compile.
+        let _ = |$ty { $($field: _),+ }: $ty| ();
+        let fields = vec![$((stringify!($field).to_owned(), core::mem::offset_of!($ty, $field) as u32)),+];
+        let rust = Layout { fields, size: size_of::<$ty>() as u32 };
+        assert_eq!(in_wgsl(&$module, stringify!($ty)), rust, "{}", stringify!($ty));
+        1
+    }};
+}
+
+#[test]
+fn structs_are_the_same() {
+    let module = module();
+    let mirrored = [
+        mirror!(module, Light { place, kind, power, pad }),
+        mirror!(
+            module,
+            Material { color, local_weight, tint, reflect_weight, refract_weight, exponent, index, behavior }
+        ),
+        mirror!(
+            module,
+            Path {
+                origin,
+                leaves,
+                direction,
+                t,
+                weight,
+                depth,
+                radiance,
+                inside,
+                state,
+                sample,
+                hit,
+                next,
+                light,
+                waiting,
+                rays,
+                seen
+            }
+        ),
+        mirror!(module, Waiting { origin, leaves, direction, depth, weight, inside }),
+        mirror!(module, Plane { point, material, normal, pad }),
+        mirror!(
+            module,
+            Settings { background, max_depth, spheres, planes, triangles, lights, specular, cutoff, zero, pad }
+        ),
+        mirror!(module, Slice { first, count, samples, budget }),
+        mirror!(module, Sphere { center, radius, material, pad_a, pad_b }),
+        mirror!(module, Status { groups, pixels, flags, turns }),
+        mirror!(module, Triangle { a, material, b, pad_b, c, pad_c }),
+        mirror!(module, View { eye, width, right, height, up, grid, back, seed }),
+    ];
+    let structs = module.types.iter().filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. })).count();
+    assert_eq!(mirrored.len(), structs, "a struct of wgsl/tables has no mirror here");
+}
+
+#[test]
+fn constants_are_the_same() {
+    let module = module();
+    let value = |name: &str| {
+        let found = module.constants.iter().find(|(_, c)| c.name.as_deref() == Some(name));
+        let (_, constant) = found.unwrap_or_else(|| panic!("wgsl/tables has no constant {name}"));
+        match module.global_expressions[constant.init] {
+            naga::Expression::Literal(Literal::U32(n)) => n,
+            naga::Expression::Literal(Literal::F32(x)) => x.to_bits(),
+            ref other => panic!("{name} is {other:?}"),
+        }
+    };
+    macro_rules! same {
+        ($($name:ident),+ $(,)?) => {
+            [$({
+                assert_eq!(value(stringify!($name)), tables::$name as u32, "{}", stringify!($name));
+            }),+].len()
+        };
+    }
+    assert_eq!(value("FAR"), tables::FAR.to_bits());
+    let checked = 1 + same!(
+        POINT,
+        DIRECTIONAL,
+        MIRROR,
+        DIFFUSE,
+        GLASS,
+        IDLE,
+        SEEK,
+        LIT,
+        DONE,
+        PHONG,
+        BLINN,
+        NONE,
+        MOST_TURNS,
+        GROUP,
+        CUT_SHORT,
+        STACK_FULL
+    );
+    assert_eq!(checked, module.constants.iter().count(), "a constant of wgsl/tables is not checked here");
+}
+
+#[test]
+fn a_swapped_field_is_seen() {
+    let text = "struct Slice { count: u32, first: u32, samples: u32, budget: u32 }
+        @compute @workgroup_size(1) fn main() { var s: Slice; s.first = 1u; }";
+    let swapped = naga::front::wgsl::parse_str(text).expect("valid");
+    assert_ne!(in_wgsl(&swapped, "Slice"), in_wgsl(&module(), "Slice"));
+}

@@ -1,0 +1,66 @@
+//! Faults planted in kernels and tables: each must be seen by the comparison that the frames are held to.
+
+use twinlight::film::compare::{Standard, compare};
+use twinlight::gpu::wgsl::Sources;
+
+use super::{on_cpu, on_gpu, root, small, tables_of};
+
+/// File, what stands there, what is planted, and the scene that must show it.
+const FAULTS: &[(&str, &str, &str, &str)] = &[
+    ("trace/cast", "view.height - 1u - pixel", "pixel", "room"),
+    ("trace/cast", "sample % view.grid", "sample / view.grid", "room"),
+    ("trace/meet", "dot(e, e) - r2", "dot(e, e) - r2 * 1.0001", "room"),
+    ("trace/meet", "b > 0.0", "b < 0.0", "room"),
+    ("trace/meet", "plane.point - ray.origin", "plane.point + ray.origin", "room"),
+    ("trace/meet", "w * c.z", "w * b.z", "pyramid"),
+    ("trace/surface", "normal = -normal", "normal = normal", "pyramid"),
+    ("trace/scatter", "material.index, inside == 1u", "material.index, inside == 0u", "pyramid"),
+    ("trace/scatter", "root < 0.0", "root < 0.3", "pyramid"),
+    ("trace/scatter", "1u - inside", "inside", "room"),
+    ("trace/scatter", "select(free, -free, cosine < 0.0)", "free", "room-diffuse"),
+    ("trace/follow", "branch.weight;", "branch.weight * 0.999999;", "room"),
+    ("math/vector", "2.0 * dot(i, n)", "1.99999 * dot(i, n)", "room"),
+    ("math/power", "0.69314718", "0.69314", "room"),
+    ("math/random", "1664525u", "1664527u", "room-diffuse"),
+    ("math/sphere", "1.0 - 2.0 * a", "1.0 - 1.9999 * a", "room-diffuse"),
+    ("shade/phong", "specular == BLINN", "specular != BLINN", "room"),
+];
+
+#[test]
+fn planted_faults_in_kernels_are_seen() {
+    for (file, from, to, scene) in FAULTS {
+        let text = Sources::default().get(file).unwrap_or_else(|| panic!("no file {file}")).into_owned();
+        assert!(text.contains(from), "{file} no longer has {from:?}: plant another fault");
+        let sources = Sources::default().with(file, text.replace(from, to));
+        let tables = tables_of(&small(&root().join(format!("scenes/{scene}.toml")), [61, 43], 4));
+        // A fault may also make the work never end or be cut: that is seen too.
+        let seen = on_gpu(&sources, &tables)
+            .map_or(true, |gpu| !compare(&on_cpu(&tables), &gpu, Standard::Exact).expect("one size").passes());
+        assert!(seen, "{file}: {to:?} for {from:?} goes unnoticed");
+    }
+}
+
+#[test]
+fn shuffled_lists_are_seen() {
+    let scene = small(&root().join("scenes/room.toml"), [61, 43], 1);
+    let tables = tables_of(&scene);
+    let expected = on_cpu(&tables);
+    let mut shuffled = [tables.clone(), tables.clone(), tables.clone()];
+    shuffled[0].spheres.swap(0, 1);
+    shuffled[1].materials.swap(2, 4);
+    shuffled[2].lights.swap(0, 1);
+    shuffled[2].lights[0].power *= 1.01;
+    for (i, tables) in shuffled.iter().enumerate() {
+        let gpu = on_gpu(&Sources::default(), tables).expect("a film");
+        assert!(!compare(&expected, &gpu, Standard::Exact).expect("one size").passes(), "shuffle {i}");
+    }
+}
+
+#[test]
+fn a_kernel_that_does_nothing_is_seen() {
+    let text = Sources::default().get("trace/gather").expect("a file").replace("sums[i] +=", "sums[i] =");
+    let sources = Sources::default().with("trace/gather", text);
+    let tables = tables_of(&small(&root().join("scenes/room.toml"), [31, 17], 4));
+    let made = on_gpu(&sources, &tables);
+    assert!(matches!(made, Err(twinlight::gpu::Error::Incomplete(_))), "{:?}", made.map(|_| "a film"));
+}

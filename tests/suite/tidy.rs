@@ -1,0 +1,231 @@
+//! The tree itself, without a GPU: twins exist, floors hold, kernels are valid everywhere and within the limits.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::{AddressSpace, Block, Module, Statement};
+use twinlight::gpu::parse;
+use twinlight::gpu::wgsl::{FILES, Sources, join};
+
+use super::root;
+
+fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
+    fn collect(folder: &Path, ending: &str, out: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display())) {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                collect(&path, ending, out);
+            } else if path.extension().is_some_and(|e| e == ending) {
+                out.push(path);
+            }
+        }
+    }
+    let mut all = Vec::new();
+    collect(&root().join(folder), ending, &mut all);
+    all.sort();
+    assert!(!all.is_empty(), "nothing in {folder}");
+    all
+}
+
+fn kernels() -> Vec<(&'static str, Module)> {
+    let with_entry = FILES.iter().filter(|(_, text)| text.contains("@compute"));
+    let parsed = with_entry.map(|(name, _)| {
+        let joined = join(&Sources::default(), name).unwrap_or_else(|e| panic!("{e}"));
+        (*name, parse(&joined, name).unwrap_or_else(|e| panic!("{e}")).0)
+    });
+    let all: Vec<_> = parsed.collect();
+    assert!(all.len() >= 3, "where are the kernels?");
+    all
+}
+
+#[test]
+fn every_wgsl_file_is_built_in_and_used() {
+    let on_disk: BTreeSet<String> = files("wgsl", "wgsl")
+        .iter()
+        .map(|p| {
+            let name = p.strip_prefix(root().join("wgsl")).expect("below wgsl").with_extension("");
+            name.to_string_lossy().replace('\\', "/")
+        })
+        .collect();
+    let built_in: Vec<String> = FILES.iter().map(|(name, _)| (*name).to_owned()).collect();
+    assert_eq!(built_in, on_disk.into_iter().collect::<Vec<_>>());
+    for (name, text) in FILES.iter().filter(|(_, text)| !text.contains("@compute")) {
+        let import = format!("#import \"{name}.wgsl\"");
+        assert!(FILES.iter().any(|(_, t)| t.contains(&import)), "nothing imports {name}: {text}");
+    }
+}
+
+#[test]
+fn kernels_lower_to_every_language() {
+    for (name, module) in kernels() {
+        let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).expect(name);
+        let bounds = naga::proc::BoundsCheckPolicies::default();
+        naga::back::spv::write_vec(&module, &info, &naga::back::spv::Options::default(), None)
+            .unwrap_or_else(|e| panic!("{name} to SPIR-V: {e}"));
+        let mut msl =
+            naga::back::msl::Options { lang_version: (2, 4), bounds_check_policies: bounds, ..Default::default() };
+        msl.fake_missing_bindings = true;
+        naga::back::msl::write_string(&module, &info, &msl, &naga::back::msl::PipelineOptions::default())
+            .unwrap_or_else(|e| panic!("{name} to MSL: {e}"));
+        let options = naga::back::hlsl::Options { fake_missing_bindings: true, ..Default::default() };
+        let pipeline = naga::back::hlsl::PipelineOptions::default();
+        let mut hlsl = String::new();
+        naga::back::hlsl::Writer::new(&mut hlsl, &options, &pipeline)
+            .write(&module, &info, None)
+            .unwrap_or_else(|e| panic!("{name} to HLSL: {e}"));
+    }
+}
+
+#[test]
+fn kernels_keep_to_webgpus_default_limits() {
+    for (name, module) in kernels() {
+        let storage = module.global_variables.iter();
+        let storage = storage.filter(|(_, v)| matches!(v.space, AddressSpace::Storage { .. })).count();
+        assert!(storage <= 8, "{name} binds {storage} storage buffers");
+        let shared = module.global_variables.iter().filter(|(_, v)| v.space == AddressSpace::WorkGroup);
+        let bytes: u32 = shared.map(|(_, v)| module.types[v.ty].inner.size(module.to_ctx())).sum();
+        assert!(bytes <= 16 << 10, "{name} takes {bytes} bytes of workgroup memory");
+        for entry in &module.entry_points {
+            assert_eq!(entry.name, "main", "{name}");
+            assert!(entry.workgroup_size.iter().product::<u32>() <= 256, "{name}");
+            assert!(!barrier_inside(&entry.function.body, false), "{name}: a barrier in a branch or loop");
+        }
+        for (_, function) in module.functions.iter() {
+            assert!(!barrier_inside(&function.body, true), "{name}: a barrier in a function");
+        }
+    }
+}
+
+/// naga does not check that barriers stand in uniform control flow; this asks for the plainest form of it.
+fn barrier_inside(block: &Block, inside: bool) -> bool {
+    block.iter().any(|statement| match statement {
+        Statement::ControlBarrier(_) | Statement::MemoryBarrier(_) => inside,
+        Statement::Block(block) => barrier_inside(block, inside),
+        Statement::If { accept, reject, .. } => barrier_inside(accept, true) || barrier_inside(reject, true),
+        Statement::Loop { body, continuing, .. } => barrier_inside(body, true) || barrier_inside(continuing, true),
+        Statement::Switch { cases, .. } => cases.iter().any(|case| barrier_inside(&case.body, true)),
+        _ => false,
+    })
+}
+
+#[test]
+fn a_barrier_in_a_branch_is_seen() {
+    let text = "@compute @workgroup_size(64) fn main(@builtin(local_invocation_index) i: u32) {
+        if (i < 32u) { workgroupBarrier(); } }";
+    let module = naga::front::wgsl::parse_str(text).expect("valid, as naga sees it");
+    assert!(barrier_inside(&module.entry_points[0].function.body, false));
+}
+
+/// Where the twins of a folder of `wgsl/` stand in `src/`.
+const TWINS: [(&str, &str); 5] =
+    [("math", "math"), ("raster", "cpu/raster"), ("shade", "cpu/shade"), ("tables", "tables"), ("trace", "cpu/trace")];
+
+#[test]
+fn every_wgsl_file_has_a_twin_and_every_twin_its_wgsl() {
+    for (wgsl, rust) in TWINS {
+        let stems = |folder: String, ending: &str| -> BTreeSet<String> {
+            let direct = files(&folder, ending);
+            direct.iter().map(|p| p.file_stem().expect("a name").to_string_lossy().into_owned()).collect()
+        };
+        let kernels = stems(format!("wgsl/{wgsl}"), "wgsl");
+        let twins = stems(format!("src/{rust}"), "rs");
+        assert_eq!(kernels, twins, "wgsl/{wgsl} and src/{rust}");
+    }
+    let known: BTreeSet<_> = TWINS.iter().map(|(wgsl, _)| *wgsl).collect();
+    for (name, _) in FILES {
+        assert!(known.contains(name.split('/').next().unwrap_or_default()), "{name} has no place for its twin");
+    }
+}
+
+#[test]
+fn twins_open_with_the_same_arrow() {
+    for (wgsl, rust) in TWINS.into_iter().filter(|(wgsl, _)| *wgsl != "tables") {
+        for path in files(&format!("wgsl/{wgsl}"), "wgsl") {
+            let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            let first = |path: &Path| {
+                let text = fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+                text.lines().next().unwrap_or_default().to_owned()
+            };
+            let kernel = first(&path);
+            let twin = first(&root().join(format!("src/{rust}/{stem}.rs")));
+            assert!(kernel.starts_with("// ") && kernel.contains(" -> "), "{}: {kernel}", path.display());
+            assert_eq!(kernel.trim_start_matches("// "), twin.trim_start_matches("//! "), "{wgsl}/{stem}");
+        }
+    }
+}
+
+/// The floors: a file may use those below its own, never those above or beside it.
+const FLOORS: [&[&str]; 7] = [
+    &["math"],
+    &["film", "scene", "tables"],
+    &["prepare"],
+    &["raster", "trace"],
+    &["cpu", "gpu"],
+    &["render"],
+    &["bin"],
+];
+
+fn floor(module: &str) -> Option<usize> {
+    FLOORS.iter().position(|floor| floor.contains(&module))
+}
+
+/// The modules of this crate that a source text names.
+fn named(text: &str) -> BTreeSet<String> {
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let mut names = BTreeSet::new();
+    for line in code {
+        for prefix in ["crate::", "twinlight::"] {
+            for after in line.split(prefix).skip(1) {
+                let inner = after.strip_prefix('{').unwrap_or(after);
+                let name: String = inner.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+                names.insert(name);
+            }
+        }
+    }
+    names
+}
+
+#[test]
+fn arrows_point_down() {
+    for path in files("src", "rs") {
+        let inside = path.strip_prefix(root().join("src")).expect("below src");
+        let top = inside.components().next().expect("a name").as_os_str().to_string_lossy().into_owned();
+        let module = top.trim_end_matches(".rs").to_owned();
+        if module == "lib" {
+            continue;
+        }
+        let own = floor(&module).unwrap_or_else(|| panic!("{module} stands on no floor"));
+        let text = fs::read_to_string(&path).expect("a source file");
+        for used in named(&text) {
+            let Some(theirs) = floor(&used) else { continue };
+            // Nouns may know each other; the rest of a floor are strangers.
+            let beside = theirs == own && used != module && own != 1;
+            assert!(theirs <= own && !beside, "{}: uses {used}", inside.display());
+        }
+        let alone = [("wgpu", "gpu"), ("naga", "gpu"), ("toml", "scene"), ("image", "film"), ("egui", "bin")];
+        for (library, home) in alone {
+            let used = text.contains(&format!("use {library}::")) || text.contains(&format!(" {library}::"));
+            assert!(
+                !used || module == home || (library == "image" && module == "scene"),
+                "{}: {library}",
+                inside.display()
+            );
+        }
+    }
+    assert_eq!(named("use crate::cpu::x;\n// crate::gpu\nlet a = crate::film::Film;").len(), 2);
+}
+
+#[test]
+fn files_stay_small_and_promise_nothing_that_no_test_holds() {
+    for (folder, ending, most) in [("src", "rs", 330), ("tests", "rs", 330), ("wgsl", "wgsl", 220)] {
+        for path in files(folder, ending) {
+            let text = fs::read_to_string(&path).expect("a source file");
+            let lines = text.lines().count();
+            assert!(lines <= most, "{}: {lines} lines: it is asking to be two", path.display());
+            let banned = ["keep in ", "sync"].concat();
+            assert!(!text.contains(&banned), "{}: write the test instead", path.display());
+        }
+    }
+}

@@ -1,0 +1,32 @@
+// a pixel and a sample -> the primary ray's direction
+#import "tables/view.wgsl"
+#import "math/vector.wgsl"
+
+@group(0) @binding(10) var<uniform> view: View;
+
+// Where in its pixel a sample lies, in [0, 1)^2 from the lower left corner.
+fn place(sample: u32) -> vec2f {
+    if (view.grid > 0u) {
+        return vec2f(vec2u(sample % view.grid, sample / view.grid)) / f32(view.grid);
+    }
+    // The R2 sequence (Roberts, 2018): multiples of 1/p and 1/p^2, p = 1.3247..., as fractions of 2^32.
+    return vec2f(
+        f32((sample * 3242174889u) >> 8u) * 5.9604645e-8,
+        f32((sample * 2447445414u) >> 8u) * 5.9604645e-8,
+    );
+}
+
+// Spec 2.2, with the film plane at distance one and rows counted from the top.
+fn primary(pixel: u32, sample: u32) -> vec3f {
+    let at = place(sample);
+    let x = (f32(pixel % view.width) + at.x) / f32(view.width) - 0.5;
+    let y = (f32(view.height - 1u - pixel / view.width) + at.y) / f32(view.height) - 0.5;
+    return unit(view.right * x + view.up * y - view.back);
+}
+
+// A new tree: nothing is met yet and nothing waits.
+fn seed(sample: u32, direction: vec3f) -> Path {
+    return Path(
+        view.eye, NONE, direction, FAR, vec3f(1.0), 1u, vec3f(0.0), 0u, SEEK, sample, NONE, 0u, 0u, 0u, 0u, NONE,
+    );
+}
