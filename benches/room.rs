@@ -35,7 +35,7 @@ fn peer(scene: &Scene) -> (Film, Duration) {
     let [width, height] = scene.film.size;
     let (mut sums, mut ids) = (Vec::new(), Vec::new());
     for pixel in 0..width * height {
-        let directions = (0..scene.trace.samples).map(|s| twinlight::cpu::trace::cast::primary(&view, pixel, s));
+        let directions = (0..scene.trace.samples).map(|s| twinlight::cpu::trace::primary::primary(&view, pixel, s));
         let mut sum = Vec3::ZERO;
         for direction in directions {
             sum += tracer.trace(view.eye, direction, false, scene.trace.depth);

@@ -5,8 +5,10 @@ pub mod few;
 pub mod follow;
 pub mod gather;
 pub mod meet;
+pub mod primary;
 pub mod scatter;
 pub mod surface;
+pub mod tree;
 pub mod walk;
 
 use std::convert::Infallible;

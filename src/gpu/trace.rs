@@ -9,8 +9,8 @@ use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
 use crate::tables::{
-    BLINN, CUT_SHORT, Few, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere, Status, Tables,
-    Triangle, View, Waiting,
+    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere,
+    Status, Tables, Triangle, View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -60,8 +60,11 @@ impl<'a> GpuTrace<'a> {
     /// # Errors
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
+        let has = |behavior| tables.materials.iter().any(|material| material.behavior == behavior);
         let blinn = usize::from(tables.settings.specular == BLINN);
         let written_out = [
+            ("diffuse", usize::from(has(DIFFUSE))),
+            ("glass", usize::from(has(GLASS))),
             ("blinn", blinn),
             ("phong", 1 - blinn),
             ("spheres", tables.spheres.len()),

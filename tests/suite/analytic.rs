@@ -1,7 +1,7 @@
 //! Answers known on paper, each with the equation of the spec.
 
 use glam::{DVec3, Vec2, Vec3};
-use twinlight::cpu::trace::cast::primary;
+use twinlight::cpu::trace::primary::primary;
 use twinlight::cpu::trace::scatter::scatter;
 use twinlight::cpu::trace::surface::Surface;
 use twinlight::math::vector::unit;

@@ -7,6 +7,7 @@ mod analytic;
 mod brute;
 mod cli;
 mod compare;
+mod few;
 mod frames;
 mod fuzz;
 mod golden;
@@ -200,6 +201,10 @@ impl Trace for Sliced<'_> {
 
     fn gather(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
         self.stages.gather(paths, slice)
+    }
+
+    fn few(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        self.stages.few(paths, slice)
     }
 
     fn settle(&mut self, paths: &mut Paths) -> Result<u32, Infallible> {

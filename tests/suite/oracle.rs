@@ -5,7 +5,7 @@ mod recursive;
 
 use glam::DVec3;
 pub(super) use recursive::Recursive;
-use twinlight::cpu::trace::cast::place;
+use twinlight::cpu::trace::primary::place;
 use twinlight::prepare::{pose, prepare};
 use twinlight::scene::Scene;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use naga::valid::{Capabilities, ValidationFlags, Validator};
+use naga::valid::ModuleInfo;
 use naga::{AddressSpace, Block, Module, Statement};
 use twinlight::gpu::parse;
 use twinlight::gpu::wgsl::{FILES, Sources, join};
@@ -29,11 +29,12 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     all
 }
 
-fn kernels() -> Vec<(&'static str, Module)> {
+fn kernels() -> Vec<(&'static str, Module, ModuleInfo)> {
     let with_entry = FILES.iter().filter(|(_, text)| text.contains("@compute"));
     let parsed = with_entry.map(|(name, _)| {
         let joined = join(&Sources::default(), name).unwrap_or_else(|e| panic!("{e}"));
-        (*name, parse(&joined, name).unwrap_or_else(|e| panic!("{e}")).0)
+        let (module, info) = parse(&joined, name).unwrap_or_else(|e| panic!("{e}"));
+        (*name, module, info)
     });
     let all: Vec<_> = parsed.collect();
     assert!(all.len() >= 3, "where are the kernels?");
@@ -59,8 +60,7 @@ fn every_wgsl_file_is_built_in_and_used() {
 
 #[test]
 fn kernels_lower_to_every_language() {
-    for (name, module) in kernels() {
-        let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).expect(name);
+    for (name, module, info) in kernels() {
         let bounds = naga::proc::BoundsCheckPolicies::default();
         naga::back::spv::write_vec(&module, &info, &naga::back::spv::Options::default(), None)
             .unwrap_or_else(|e| panic!("{name} to SPIR-V: {e}"));
@@ -80,8 +80,9 @@ fn kernels_lower_to_every_language() {
 
 #[test]
 fn kernels_keep_to_webgpus_default_limits() {
-    for (name, module) in kernels() {
-        let storage = module.global_variables.iter();
+    for (name, module, info) in kernels() {
+        let used = info.get_entry_point(0);
+        let storage = module.global_variables.iter().filter(|(handle, _)| !used[*handle].is_empty());
         let storage = storage.filter(|(_, v)| matches!(v.space, AddressSpace::Storage { .. })).count();
         assert!(storage <= 8, "{name} binds {storage} storage buffers");
         let shared = module.global_variables.iter().filter(|(_, v)| v.space == AddressSpace::WorkGroup);
@@ -122,6 +123,10 @@ fn a_barrier_in_a_branch_is_seen() {
 const TWINS: [(&str, &str); 5] =
     [("math", "math"), ("raster", "cpu/raster"), ("shade", "cpu/shade"), ("tables", "tables"), ("trace", "cpu/trace")];
 
+/// Walk and surface once more, without loops: their twins are `walk.rs` and `surface.rs`, and `few.rs` of the tests
+/// holds them to these.
+const WRITTEN_OUT: [&str; 1] = ["trace/unrolled"];
+
 #[test]
 fn every_wgsl_file_has_a_twin_and_every_twin_its_wgsl() {
     for (wgsl, rust) in TWINS {
@@ -129,8 +134,9 @@ fn every_wgsl_file_has_a_twin_and_every_twin_its_wgsl() {
             let direct = files(&folder, ending);
             direct.iter().map(|p| p.file_stem().expect("a name").to_string_lossy().into_owned()).collect()
         };
-        let kernels = stems(format!("wgsl/{wgsl}"), "wgsl");
+        let mut kernels = stems(format!("wgsl/{wgsl}"), "wgsl");
         let twins = stems(format!("src/{rust}"), "rs");
+        kernels.retain(|stem| !WRITTEN_OUT.contains(&format!("{wgsl}/{stem}").as_str()));
         assert_eq!(kernels, twins, "wgsl/{wgsl} and src/{rust}");
     }
     let known: BTreeSet<_> = TWINS.iter().map(|(wgsl, _)| *wgsl).collect();
@@ -149,6 +155,9 @@ fn twins_open_with_the_same_arrow() {
                 text.lines().next().unwrap_or_default().to_owned()
             };
             let kernel = first(&path);
+            if WRITTEN_OUT.contains(&format!("{wgsl}/{stem}").as_str()) {
+                continue;
+            }
             let twin = first(&root().join(format!("src/{rust}/{stem}.rs")));
             assert!(kernel.starts_with("// ") && kernel.contains(" -> "), "{}: {kernel}", path.display());
             assert_eq!(kernel.trim_start_matches("// "), twin.trim_start_matches("//! "), "{wgsl}/{stem}");

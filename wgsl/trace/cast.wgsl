@@ -5,6 +5,7 @@
 #import "tables/path.wgsl"
 #import "trace/primary.wgsl"
 
+@group(0) @binding(0) var<uniform> settings: Settings;
 @group(0) @binding(1) var<uniform> slice: Slice;
 @group(0) @binding(2) var<storage, read_write> paths: array<Path>;
 @group(0) @binding(3) var<storage, read_write> status: Status;
@@ -19,7 +20,7 @@ fn main(
     if (i < slice.count) {
         let sample = paths[i].sample;
         if (paths[i].state == IDLE && sample < slice.samples) {
-            paths[i] = seed(sample, primary(slice.first + i, sample));
+            paths[i] = seed(sample, primary(corner(slice.first + i), sample, settings.zero));
         }
     }
     if (lane == 0u) {

@@ -49,11 +49,12 @@ fn step(path: ptr<function, Path>, i: u32) -> Branch {
 }
 
 fn follow(path: ptr<function, Path>, i: u32) {
+    let corner = corner(slice.first + i);
     var turns = 0u;
     while ((*path).sample < slice.samples && turns < slice.budget) {
         turns += 1u;
         if ((*path).state == IDLE) {
-            *path = seed((*path).sample, primary(slice.first + i, (*path).sample));
+            *path = seed((*path).sample, primary(corner, (*path).sample, settings.zero));
         }
         while ((*path).state == SEEK && turns < slice.budget) {
             var light: Branch;

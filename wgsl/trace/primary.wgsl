@@ -1,5 +1,6 @@
 // a pixel and a sample -> the primary ray's direction
 #import "tables/view.wgsl"
+#import "math/fence.wgsl"
 #import "math/vector.wgsl"
 
 @group(0) @binding(10) var<uniform> view: View;
@@ -7,7 +8,9 @@
 // Where in its pixel a sample lies, in [0, 1)^2 from the lower left corner.
 fn place(sample: u32) -> vec2f {
     if (view.grid > 0u) {
-        return vec2f(vec2u(sample % view.grid, sample / view.grid)) / f32(view.grid);
+        // Exact below 2^22 samples; lavapipe divides integers lane by lane.
+        let row = floor((f32(sample) + 0.5) / f32(view.grid));
+        return vec2f(f32(sample) - row * f32(view.grid), row) / f32(view.grid);
     }
     // The R2 sequence (Roberts, 2018): multiples of 1/p and 1/p^2, p = 1.3247..., as fractions of 2^32.
     return vec2f(
@@ -16,12 +19,18 @@ fn place(sample: u32) -> vec2f {
     );
 }
 
+// A pixel's column, and its row from the bottom.
+fn corner(pixel: u32) -> vec2f {
+    return vec2f(vec2u(pixel % view.width, view.height - 1u - pixel / view.width));
+}
+
 // Spec 2.2, with the film plane at distance one and rows counted from the top.
-fn primary(pixel: u32, sample: u32) -> vec3f {
+// `zero`: see math/fence.
+fn primary(corner: vec2f, sample: u32, zero: u32) -> vec3f {
     let at = place(sample);
-    let x = (f32(pixel % view.width) + at.x) / f32(view.width) - 0.5;
-    let y = (f32(view.height - 1u - pixel / view.width) + at.y) / f32(view.height) - 0.5;
-    return unit(view.right * x + view.up * y - view.back);
+    let x = (corner.x + at.x) / f32(view.width) - 0.5;
+    let y = (corner.y + at.y) / f32(view.height) - 0.5;
+    return unit(fence(view.right * x + view.up * y, zero) - view.back);
 }
 
 // A new tree: nothing is met yet and nothing waits.

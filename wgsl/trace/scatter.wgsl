@@ -23,6 +23,7 @@ fn scatter(direction: vec3f, inside: u32, surface: Surface, random: vec2f) -> Br
     var reflected = Branch(reflection, vec3f(material.reflect_weight), inside);
     var refracted = Branch(reflection, vec3f(0.0), inside);
 
+    #repeat diffuse
     if (material.behavior == DIFFUSE) {
         // Anywhere in the hemisphere around the mirror direction.
         let free = on_sphere(random.x, random.y);
@@ -30,7 +31,9 @@ fn scatter(direction: vec3f, inside: u32, surface: Surface, random: vec2f) -> Br
         reflected.direction = select(free, -free, cosine < 0.0);
         reflected.weight = material.tint * (material.reflect_weight * abs(cosine));
     }
+    #end
 
+    #repeat glass
     if (material.behavior == GLASS) {
         // Eq. 2.7, with `i` the ray's own direction.
         let ratio = select(1.0 / material.index, material.index, inside == 1u);
@@ -45,5 +48,6 @@ fn scatter(direction: vec3f, inside: u32, surface: Surface, random: vec2f) -> Br
             refracted.inside = 1u - inside;
         }
     }
+    #end
     return Branches(reflected, refracted);
 }

@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::meet::{Rays, free, nearest};
 use super::shade::{Ways, phong, scatter, surfaces_at};
 use super::{LANES, Vec3s};
-use crate::cpu::trace::cast::place;
+use crate::cpu::trace::primary::place;
 use crate::tables::{FAR, NONE, POINT, STACK_FULL, Slice, Status, Tables, View, Waiting};
 
 /// Eight ray trees in progress: [`Path`](crate::tables::Path), lane by lane.
@@ -84,7 +84,7 @@ fn pixels<S: Simd>(
     status
 }
 
-/// Twin of [`primary`](crate::cpu::trace::cast::primary).
+/// Twin of [`primary`](crate::cpu::trace::primary::primary).
 #[inline(always)]
 fn primary<S: Simd>(simd: S, view: &View, column: f32x8<S>, row: f32x8<S>, sample: u32) -> Vec3s<S> {
     let at = place(view, sample);

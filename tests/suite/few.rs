@@ -1,0 +1,96 @@
+//! The stage for scenes of few things, held to the three stages and to its kernel, to the bit.
+
+use twinlight::cpu::trace::CpuTrace;
+use twinlight::gpu::GpuTrace;
+use twinlight::gpu::wgsl::Sources;
+use twinlight::scene::Scene;
+use twinlight::tables::{FEW, Slice, Tables};
+use twinlight::trace::{Paths, Trace as _};
+
+use super::{gpu, on_cpu, on_gpu, random_scene, root, small, tables_of};
+
+/// Scenes of few things: shipped ones, and random ones without triangles. Odd sizes, so that neither groups nor
+/// lanes are full.
+fn few() -> Vec<(String, Tables)> {
+    let shipped = [("room", 4), ("room", 3), ("room-diffuse", 4), ("room-diffuse", 3)];
+    let shipped =
+        shipped.map(|(name, n)| (name.to_owned(), small(&root().join(format!("scenes/{name}.toml")), [83, 59], n)));
+    let random = (0..30).map(|number| {
+        let scene = Scene { triangles: Vec::new(), ..random_scene(number) };
+        (format!("random scene {number}"), scene)
+    });
+    let all = shipped.into_iter().chain(random).map(|(name, scene)| (name, tables_of(&scene)));
+    all.inspect(|(name, tables)| assert!(tables.few, "{name}")).collect()
+}
+
+fn by_three_stages(tables: &Tables) -> Tables {
+    Tables { few: false, ..tables.clone() }
+}
+
+#[test]
+fn eight_at_once_are_the_three_stages() {
+    for (name, tables) in few() {
+        assert!(on_cpu(&tables) == on_cpu(&by_three_stages(&tables)), "{name}");
+    }
+}
+
+#[test]
+fn the_kernel_makes_the_film_of_the_three_kernels() {
+    for (name, tables) in few() {
+        let [few, three] = [tables.clone(), by_three_stages(&tables)]
+            .map(|tables| on_gpu(&Sources::default(), &tables).unwrap_or_else(|e| panic!("{name}: {e}")));
+        assert!(few == three, "{name}");
+        assert!(few == on_cpu(&tables), "{name}");
+    }
+}
+
+#[test]
+fn scenes_of_many_things_are_not_few() {
+    let mut scene = random_scene(1);
+    scene.triangles.clear();
+    scene.spheres = vec![scene.spheres[0].clone(); FEW];
+    assert!(tables_of(&scene).few);
+    scene.spheres.push(scene.spheres[0].clone());
+    assert!(!tables_of(&scene).few);
+    assert!(!tables_of(&random_scene(2)).few, "triangles are many");
+}
+
+#[test]
+fn the_kernel_is_the_twin_slice_by_slice() {
+    let gpu = gpu();
+    for (name, tables) in few().into_iter().take(8) {
+        let samples = tables.samples;
+        let count = tables.view.width * tables.view.height;
+        let mut cpu = CpuTrace::new(&tables);
+        let mut kernel = GpuTrace::new(&gpu, &Sources::default(), &tables).expect("kernels");
+        for budget in [2, 5, 9, 200] {
+            let slice = Slice { first: 0, count, samples, budget };
+            let mut paths = Paths::new(0..count, tables.settings.max_depth);
+            let mut done = 0;
+            let mut slices = 0;
+            while done < count {
+                let mut there = kernel.upload(&paths).expect("room");
+                kernel.few(&mut there, &slice).expect("recorded");
+                let pixels = kernel.settle(&mut there).expect("done");
+                let Ok(()) = cpu.few(&mut paths, &slice);
+                assert_eq!(kernel.status(), cpu.status(), "{name}, budget {budget}, slice {slices}");
+                let Ok(twin) = cpu.settle(&mut paths);
+                assert_eq!(pixels, twin);
+                let back = kernel.download(&there).expect("read");
+                assert!(bytes(&back) == bytes(&paths), "{name}, budget {budget}, slice {slices}");
+                done += pixels;
+                slices += 1;
+                assert!(slices < 1000, "it never ends");
+            }
+        }
+    }
+}
+
+fn bytes(paths: &Paths) -> [&[u8]; 4] {
+    [
+        bytemuck::cast_slice(&paths.paths),
+        bytemuck::cast_slice(&paths.waiting),
+        bytemuck::cast_slice(&paths.sums),
+        bytemuck::cast_slice(&paths.ids),
+    ]
+}
