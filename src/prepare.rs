@@ -1,6 +1,10 @@
 //! Scene -> Tables: what a person says, as the arrays that both backends read.
 
+mod draw;
 pub mod lens;
+mod mesh;
+
+pub use draw::draw;
 
 use glam::Vec3;
 

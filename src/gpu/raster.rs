@@ -1,5 +1,7 @@
 //! The rasterizer's stages as kernels.
 
+use std::sync::Arc;
+
 use bytemuck::Zeroable as _;
 
 use super::wgsl::Sources;
@@ -22,7 +24,7 @@ pub struct GpuImage {
 #[derive(Debug)]
 pub struct GpuRaster<'a> {
     gpu: &'a Gpu,
-    kernels: Kernels,
+    kernels: Arc<Kernels>,
     lens: Buffer<Lens>,
     lenses: Buffer<Lens>,
     canvas: Buffer<Canvas>,
@@ -71,22 +73,35 @@ impl<'a> GpuRaster<'a> {
     /// If a kernel's source is wrong, or the drawing does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, drawing: &Drawing) -> Result<Self, Error> {
         let kernel = |name: &str| Kernel::new(gpu, sources, &format!("raster/{name}"));
+        let kernels = Kernels {
+            clear: kernel("clear")?,
+            project: kernel("project")?,
+            split: kernel("split")?,
+            count: kernel("count")?,
+            scan: kernel("scan")?,
+            fill: kernel("fill")?,
+            cover: kernel("cover")?,
+            mark: kernel("mark")?,
+            shade: kernel("shade")?,
+        };
+        Self::with(gpu, Arc::new(kernels), drawing)
+    }
+
+    /// A rasterizer of another drawing with the same kernels.
+    ///
+    /// # Errors
+    /// If the drawing does not fit the device.
+    pub fn again(&self, drawing: &Drawing) -> Result<Self, Error> {
+        Self::with(self.gpu, Arc::clone(&self.kernels), drawing)
+    }
+
+    fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing) -> Result<Self, Error> {
         let mut lenses = drawing.lenses.clone();
         lenses.resize(MOST_LENSES as usize, Lens::zeroed());
         let pixels = drawing.eyes.first().map_or(0, Lens::pixels) as usize;
         Ok(Self {
             gpu,
-            kernels: Kernels {
-                clear: kernel("clear")?,
-                project: kernel("project")?,
-                split: kernel("split")?,
-                count: kernel("count")?,
-                scan: kernel("scan")?,
-                fill: kernel("fill")?,
-                cover: kernel("cover")?,
-                mark: kernel("mark")?,
-                shade: kernel("shade")?,
-            },
+            kernels,
             lens: gpu.uniform("lens", &Lens::zeroed())?,
             lenses: gpu.uniforms("lenses", &lenses)?,
             canvas: gpu.uniform("canvas", &drawing.canvas)?,

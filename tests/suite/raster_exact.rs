@@ -14,6 +14,9 @@ use twinlight::tables::{Canvas, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint,
 
 use super::{Dice, gpu};
 
+/// How many drawings are compared.
+const DRAWINGS: u32 = 1500;
+
 /// Triangles of every kind before an eye at the origin that looks along -z.
 fn random_drawing(number: u32) -> Drawing {
     let mut dice = Dice(number, 1);
@@ -29,7 +32,12 @@ fn random_drawing(number: u32) -> Drawing {
             0 => Vec3::new(dice.within(-1.0, 1.0), dice.within(-1.0, 1.0), -0.1),
             1 => dice.point(2.0),
             2 => dice.point(1.0) * spread,
-            3 => Vec3::new(dice.below(5) as f32 - 2.0, dice.below(5) as f32 - 2.0, -2.0),
+            // A pixel's very center.
+            3 => {
+                let at = |n: usize, side: u32| (n as f32 + 0.5) * 2.0 / side as f32 - 1.0;
+                let [x, y] = size.map(|side| at(dice.below(side as usize), side));
+                Vec3::new(x * 2.0, y * 1.5, -2.0)
+            }
             4 if !positions.is_empty() => positions[dice.below(positions.len())] + dice.point(0.01),
             _ => dice.point(1.0) * Vec3::new(2.0, 2.0, 1.4) - Vec3::Z * 1.7,
         };
@@ -72,9 +80,9 @@ fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
 }
 
 /// What a GPU draws, with each stage's output beside the CPU's.
-fn on_gpu(gpu: &Gpu, sources: &Sources, drawing: &Drawing, room: usize) -> Result<[Vec<u32>; 2], Error> {
+fn on_gpu(gpu: &Gpu, kernels: &GpuRaster<'_>, drawing: &Drawing, room: usize) -> Result<[Vec<u32>; 2], Error> {
     let lens = &drawing.eyes[0];
-    let mut stages = GpuRaster::new(gpu, sources, drawing)?.with_room(room)?;
+    let mut stages = kernels.again(drawing)?.with_room(room)?;
     let mut image = stages.clear(lens.pixels() as usize, lens.pixels() as usize)?;
     draw(&mut stages, lens, &mut image)?;
     stages.mark(lens, &mut image)?;
@@ -93,11 +101,12 @@ fn sorted(pieces: &[Piece]) -> Vec<[i32; 10]> {
 #[test]
 fn raster_stages_are_the_same() {
     let gpu = gpu();
+    let kernels = GpuRaster::new(&gpu, &Sources::default(), &random_drawing(0)).expect("kernels");
     for number in 0..40 {
         let drawing = random_drawing(number);
         let lens = &drawing.eyes[0];
         let (cpu, _) = on_cpu(&drawing);
-        let mut stages = GpuRaster::new(&gpu, &Sources::default(), &drawing).expect("kernels");
+        let mut stages = kernels.again(&drawing).expect("buffers");
         let mut image = stages.clear(lens.pixels() as usize, lens.pixels() as usize).expect("clear");
         stages.project(lens).expect("project");
         assert_eq!(gpu.read(&stages.corners).expect("corners"), cpu.corners, "project, drawing {number}");
@@ -125,11 +134,12 @@ fn raster_stages_are_the_same() {
 #[test]
 fn raster_decides_the_same() {
     let gpu = gpu();
+    let kernels = GpuRaster::new(&gpu, &Sources::default(), &random_drawing(0)).expect("kernels");
     let mut drawn = 0;
-    for number in 0..400 {
+    for number in 0..DRAWINGS {
         let drawing = random_drawing(number);
         let room = [1024, 1, 3][number as usize % 3];
-        let found = on_gpu(&gpu, &Sources::default(), &drawing, room).unwrap_or_else(|e| panic!("{number}: {e}"));
+        let found = on_gpu(&gpu, &kernels, &drawing, room).unwrap_or_else(|e| panic!("{number}: {e}"));
         let (_, wanted) = on_cpu(&drawing);
         for (what, (found, wanted)) in ["depths", "ids"].iter().zip(found.iter().zip(&wanted)) {
             let different = found.iter().zip(wanted).filter(|(f, w)| f != w).count();
@@ -279,9 +289,10 @@ fn planted_faults_are_seen() {
         let text = Sources::default().get(file).expect("the file").into_owned();
         assert!(text.contains(right), "{file} has no {right}");
         let sources = Sources::default().with(file, text.replace(right, wrong));
-        let seen = (0..60).any(|number| {
+        let kernels = GpuRaster::new(&gpu, &sources, &random_drawing(0)).expect(file);
+        let seen = (0..200).any(|number| {
             let drawing = random_drawing(number);
-            on_gpu(&gpu, &sources, &drawing, 1024).is_ok_and(|found| found != on_cpu(&drawing).1)
+            on_gpu(&gpu, &kernels, &drawing, 1024).is_ok_and(|found| found != on_cpu(&drawing).1)
         });
         assert!(seen, "nobody sees {wrong} in {file}");
     }
