@@ -50,9 +50,8 @@ pub fn draw(scene: &Scene) -> Drawing {
 
 fn bounds(sheet: &Sheet) -> Option<Bounds> {
     let first = sheet.vertices.first()?.position;
-    let (low, high) = sheet.vertices.iter().fold((first, first), |(low, high), v| {
-        (low.min(v.position), high.max(v.position))
-    });
+    let (low, high) =
+        sheet.vertices.iter().fold((first, first), |(low, high), v| (low.min(v.position), high.max(v.position)));
     let center = (low + high) * 0.5;
     let radius = sheet.vertices.iter().map(|v| v.position.distance(center)).fold(0.0, f32::max);
     Some(Bounds { center, radius: radius.max(1e-6) * 1.001 })
@@ -131,8 +130,8 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
         for mut lens in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
             lens.bias = (scene.raster.bias * DEEP as f32) as u32;
-            // Half a texel each way, and as many more as are asked around it; a half more for good measure.
-            lens.slope = (192 * (1 + 2 * scene.raster.blur)).min(511);
+            // A texel each way, and as many more as are asked around it.
+            lens.slope = 256 * (1 + scene.raster.blur);
             drawing.lenses.push(lens);
         }
     }

@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use super::model::{Confined, Limits, Model, read_model};
 use super::{
-    Behavior, Camera, Error, FilmSettings, Filter, Light, Material, Mesh, Method, Plane, RasterSettings, Scene, Show,
-    Specular, TraceSettings,
+    Behavior, Camera, Error, FilmSettings, Filter, Light, Material, Mesh, Method, Plane, RasterSettings, Scene,
+    Show, Specular, TraceSettings,
 };
 use crate::film::Transfer;
 

@@ -11,11 +11,12 @@ use glam::Vec3;
 
 use super::alone::alone;
 use super::error::Complaint;
-use super::model::{Confined, Limits, Model, read_model};
 use super::file::{self, File};
+use super::model::{Confined, Limits, Model, read_model};
 use super::value::At;
 use super::{
-    Behavior, Camera, Error, FilmSettings, Light, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings, Triangle,
+    Behavior, Camera, Error, FilmSettings, Light, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere,
+    TraceSettings, Triangle,
 };
 use crate::film::Film;
 

@@ -73,4 +73,4 @@ pub const MOST_ENTRIES: u32 = 4096;
 /// Lenses of lights that a scene has room for.
 pub const MOST_LENSES: u32 = 32;
 /// A depth that climbs faster from pixel to pixel is not biased any more.
-pub const STEEPEST: u32 = 1 << 22;
+pub const STEEPEST: u32 = 1 << 24;

@@ -15,7 +15,7 @@ use twinlight::tables::{Canvas, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint,
 use super::{Dice, gpu};
 
 /// How many drawings are compared.
-const DRAWINGS: u32 = 1500;
+const DRAWINGS: u32 = 10_000;
 
 /// Triangles of every kind before an eye at the origin that looks along -z.
 fn random_drawing(number: u32) -> Drawing {
@@ -35,7 +35,8 @@ fn random_drawing(number: u32) -> Drawing {
             // A pixel's very center.
             3 => {
                 let at = |n: usize, side: u32| (n as f32 + 0.5) * 2.0 / side as f32 - 1.0;
-                let [x, y] = size.map(|side| at(dice.below(side as usize), side));
+                let few = |side: u32| (side / 2) as usize..side as usize;
+                let [x, y] = size.map(|side| at(few(side).start + dice.below(few(side).len().min(4)), side));
                 Vec3::new(x * 2.0, y * 1.5, -2.0)
             }
             4 if !positions.is_empty() => positions[dice.below(positions.len())] + dice.point(0.01),
@@ -46,7 +47,8 @@ fn random_drawing(number: u32) -> Drawing {
     let vertices: Vec<_> =
         positions.iter().map(|&position| Vertex { position, u: 0.0, normal: Vec3::Z, v: 0.0 }).collect();
     let mut corner = || dice.below(positions.len()) as u32;
-    let mut faces: Vec<_> = (0..20).map(|i| Face { a: corner(), b: corner(), c: corner(), paint: i % 2 * ONE_SIDED }).collect();
+    let mut faces: Vec<_> =
+        (0..20).map(|i| Face { a: corner(), b: corner(), c: corner(), paint: i % 2 * ONE_SIDED }).collect();
     // Coincident faces: the lower number wins.
     faces.push(faces[3]);
     faces.push(Face { a: faces[5].b, b: faces[5].c, c: faces[5].a, paint: faces[5].paint });
@@ -182,7 +184,8 @@ fn brute_force_covers_the_same() {
         let drawing = random_drawing(number);
         let lens = &drawing.eyes[0];
         let (cpu, [_, ids]) = on_cpu(&drawing);
-        let whole = drawing.faces.iter().filter(|f| [f.a, f.b, f.c].iter().all(|&i| cpu.corners[i as usize].code == 0));
+        let whole =
+            drawing.faces.iter().filter(|f| [f.a, f.b, f.c].iter().all(|&i| cpu.corners[i as usize].code == 0));
         let triangles: Vec<_> = whole
             .filter_map(|f| {
                 let [p, q, r] = [f.a, f.b, f.c].map(|i| cpu.corners[i as usize].at);

@@ -98,7 +98,7 @@ fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
     let back = ((zx >> 8u) * part.x + (((zx & 255) * part.x) >> 8u)) + ((zy >> 8u) * part.y + (((zy & 255) * part.y) >> 8u));
     let z = p.z - back + zx * (origin.x - whole.x) + zy * (origin.y - whole.y);
     let steep = min(u32(abs(zx)) + u32(abs(zy)), STEEPEST);
-    let bias = lens.bias + ((steep * lens.slope) >> 8u);
+    let bias = lens.bias + (steep >> 8u) * lens.slope;
     return Plan(
         vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z),
         zx, zy, z, min(p.z, min(q.z, r.z)), max(p.z, max(q.z, r.z)), bias,

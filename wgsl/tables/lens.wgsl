@@ -44,4 +44,4 @@ const MOST_ENTRIES: u32 = 4096u;
 // Lenses of lights that a scene has room for.
 const MOST_LENSES: u32 = 32u;
 // A depth that climbs faster from pixel to pixel is not biased any more.
-const STEEPEST: u32 = 4194304u;
+const STEEPEST: u32 = 16777216u;

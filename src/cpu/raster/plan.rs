@@ -113,7 +113,7 @@ pub fn plan(lens: &Lens, p: IVec3, q: IVec3, r: IVec3, origin: IVec2) -> Plan {
         z,
         low: p.z.min(q.z).min(r.z),
         high: p.z.max(q.z).max(r.z),
-        bias: lens.bias + ((steep * lens.slope) >> 8),
+        bias: lens.bias + (steep >> 8) * lens.slope,
     }
 }
 

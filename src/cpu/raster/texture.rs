@@ -29,9 +29,10 @@ fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
     let row = level.height - 1 - y.rem_euclid(level.height);
     let word = texels[level.first as usize + (row * level.width + column) as usize];
     let [red, green, blue, _] = word.to_le_bytes();
-    Vec3::from_array([red, green, blue].map(|byte| {
-        if decode { f32::from_bits(texels[byte as usize]) } else { f32::from(byte) / 255.0 }
-    }))
+    Vec3::from_array(
+        [red, green, blue]
+            .map(|byte| if decode { f32::from_bits(texels[byte as usize]) } else { f32::from(byte) / 255.0 }),
+    )
 }
 
 fn blend(p: Vec3, q: Vec3, share: f32) -> Vec3 {

@@ -64,11 +64,8 @@ pub fn to_normals(texels: &[[u8; 4]], width: u32, strength: f32, clamp: bool) ->
         let (above, below) = around(y, rows);
         for x in 0..width {
             let (left, right) = around(x, width);
-            let rise = Vec3::new(
-                height_at(right, y) - height_at(left, y),
-                height_at(x, above) - height_at(x, below),
-                0.0,
-            );
+            let rise =
+                Vec3::new(height_at(right, y) - height_at(left, y), height_at(x, above) - height_at(x, below), 0.0);
             let normal = (Vec3::Z - rise * steepness).try_normalize().unwrap_or(Vec3::Z);
             let [r, g, b] = ((normal * 0.5 + 0.5) * 255.0).round().to_array().map(|value| value as u8);
             normals.push([r, g, b, 255]);

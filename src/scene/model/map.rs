@@ -140,8 +140,9 @@ fn most_values(word: &[u8]) -> Option<usize> {
     Some(match word {
         b"-s" | b"-o" | b"-t" => 3,
         b"-mm" => 2,
-        b"-bm" | b"-boost" | b"-texres" | b"-clamp" | b"-blendu" | b"-blendv" | b"-cc" | b"-imfchan"
-        | b"-type" => 1,
+        b"-bm" | b"-boost" | b"-texres" | b"-clamp" | b"-blendu" | b"-blendv" | b"-cc" | b"-imfchan" | b"-type" => {
+            1
+        }
         _ => return None,
     })
 }

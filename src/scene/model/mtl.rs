@@ -57,11 +57,7 @@ pub fn parse(source: &[u8], file: &str, limits: &Limits, warnings: &mut Warnings
         } else if let Some(material) = materials.last_mut() {
             material.statement(&keyword, &as_written, words, line.number, warnings);
         } else {
-            warnings.add(
-                file,
-                line.number,
-                format!("{as_written} before the first `newmtl` belongs to nothing"),
-            );
+            warnings.add(file, line.number, format!("{as_written} before the first `newmtl` belongs to nothing"));
         }
     }
     for material in &mut materials {
@@ -83,14 +79,7 @@ impl Written {
         }
     }
 
-    fn statement(
-        &mut self,
-        keyword: &[u8],
-        name: &str,
-        mut words: Words<'_>,
-        line: u64,
-        warnings: &mut Warnings,
-    ) {
+    fn statement(&mut self, keyword: &[u8], name: &str, mut words: Words<'_>, line: u64, warnings: &mut Warnings) {
         let mut say = |sentence: String| warnings.add(&self.file, line, sentence);
         let (first, rest) = (words.clone().next(), words.rest());
         match keyword {
@@ -108,10 +97,9 @@ impl Written {
                 let word = if first == Some(b"-halo") { words.nth(1) } else { first };
                 match word.and_then(number).filter(|value| value.is_finite() && *value >= 0.0) {
                     Some(value) => self.scalar(keyword, value),
-                    None => say(format!(
-                        "{name} wants a number of at least 0, not {}; it is not changed",
-                        quote(rest)
-                    )),
+                    None => {
+                        say(format!("{name} wants a number of at least 0, not {}; it is not changed", quote(rest)))
+                    }
                 }
             }
             b"tf" | b"sharpness" | b"map_ka" | b"map_ke" | b"refl" | b"map_refl" | b"disp" | b"map_disp"

@@ -39,17 +39,14 @@ pub(super) fn complete(
 ) -> Result<(), Error> {
     let unusable = normalize(mesh);
     if unusable > 0 {
-        let text =
-            format!("{unusable} corners have a normal that is zero or not finite, and get a computed one");
+        let text = format!("{unusable} corners have a normal that is zero or not finite, and get a computed one");
         warnings.add(file, 0, text);
     }
-    let missing =
-        mesh.triangles.iter().flat_map(|triangle| triangle.corners).any(|corner| corner.normal == NONE);
+    let missing = mesh.triangles.iter().flat_map(|triangle| triangle.corners).any(|corner| corner.normal == NONE);
     if !missing {
         return Ok(());
     }
-    fill_in(mesh, budget)
-        .map_err(|Spent| Error::too_much(file, 0, "bytes of memory for this model", budget.whole))
+    fill_in(mesh, budget).map_err(|Spent| Error::too_much(file, 0, "bytes of memory for this model", budget.whole))
 }
 
 /// Returns how many corners lost a normal that has no direction.
@@ -104,8 +101,7 @@ fn fill_in(mesh: &mut Mesh, budget: &mut Budget) -> Result<(), Spent> {
             // A triangle without area has no side to show, so that any direction will do.
             let normal = sum.try_normalize().or(own.face.try_normalize()).unwrap_or(DVec3::Y).as_vec3();
             // Looking through more than a crowd would take too long; `s off` corners rarely agree anyway.
-            let known =
-                made.iter().rev().take(CROWD).find(|(other, _)| *other == normal).map(|&(_, index)| index);
+            let known = made.iter().rev().take(CROWD).find(|(other, _)| *other == normal).map(|&(_, index)| index);
             let index = if let Some(index) = known {
                 index
             } else {
@@ -174,8 +170,7 @@ fn look_around(mesh: &Mesh, corner: u32) -> Option<Around> {
 }
 
 fn are_smooth(own: &Around, other: &Around) -> bool {
-    own.smoothing == other.smoothing
-        && (own.smoothing != Smoothing::Unsaid || own.face.dot(other.face) > CREASE)
+    own.smoothing == other.smoothing && (own.smoothing != Smoothing::Unsaid || own.face.dot(other.face) > CREASE)
 }
 
 fn normal_slot(mesh: &mut Mesh, corner: u32) -> Option<&mut u32> {

@@ -89,8 +89,7 @@ struct Parser<'a> {
 
 impl<'a> Parser<'a> {
     fn new(file: &'a str, limits: &'a Limits, budget: &'a mut Budget, warnings: &'a mut Warnings) -> Self {
-        let mesh =
-            Mesh { materials: vec![(String::new(), 0)], groups: vec![String::new()], ..Mesh::default() };
+        let mesh = Mesh { materials: vec![(String::new(), 0)], groups: vec![String::new()], ..Mesh::default() };
         Self {
             file,
             limits,
@@ -126,8 +125,8 @@ impl<'a> Parser<'a> {
             }
             b"mtllib" => self.library(&words),
             b"l" | b"p" => self.pass_over("points and lines (`p`, `l`) are not drawn"),
-            b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf" | b"parm"
-            | b"trim" | b"hole" | b"scrv" | b"sp" | b"end" | b"con" => {
+            b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf" | b"parm" | b"trim"
+            | b"hole" | b"scrv" | b"sp" | b"end" | b"con" => {
                 self.pass_over("free-form curves and surfaces are not drawn")
             }
             b"call" | b"csh" => self.pass_over("other files and commands (`call`, `csh`) are never run"),
@@ -233,8 +232,7 @@ impl<'a> Parser<'a> {
             (b"on", _) => Smoothing::Group(1),
             (_, Some(group)) => Smoothing::Group(group as u32),
             _ => {
-                let sentence =
-                    format!("the smoothing group {} is not a number, and is passed over", quote(word));
+                let sentence = format!("the smoothing group {} is not a number, and is passed over", quote(word));
                 self.warnings.add(self.file, self.line, sentence);
                 self.smoothing
             }

@@ -148,12 +148,7 @@ impl Cutter {
             && !self.hollow.iter().any(|&corner| {
                 let p = self.point(corner);
                 // A corner in the same place (as of a hole that is joined by a bridge) touches only.
-                p != a
-                    && p != b
-                    && p != c
-                    && turn(a, b, p) >= 0.0
-                    && turn(b, c, p) >= 0.0
-                    && turn(c, a, p) >= 0.0
+                p != a && p != b && p != c && turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0
             })
     }
 

@@ -114,13 +114,7 @@ impl<'a> Pictures<'a> {
                 None
             }
         };
-        Some(Map {
-            texture: texture?,
-            scale: asked.scale,
-            offset: asked.offset,
-            clamp: asked.clamp,
-            strength,
-        })
+        Some(Map { texture: texture?, scale: asked.scale, offset: asked.offset, clamp: asked.clamp, strength })
     }
 
     /// The texture for a use of a picture; `strength` is what its map has still to apply.
@@ -139,9 +133,7 @@ impl<'a> Pictures<'a> {
                 Kind::Normals => *strength = asked.strength,
                 Kind::Heights => heights = Some((asked.strength.to_bits(), asked.clamp)),
                 Kind::Neither => {
-                    say(
-                        "it is neither gray (heights) nor bluish (normals); its brightness is taken as heights",
-                    );
+                    say("it is neither gray (heights) nor bluish (normals); its brightness is taken as heights");
                     heights = Some((asked.strength.to_bits(), asked.clamp));
                 }
             }
@@ -156,9 +148,7 @@ impl<'a> Pictures<'a> {
                 say("there is no memory left for its normals; it is left out");
                 return None;
             }
-            Some((_, clamp)) => {
-                bump::to_normals(&picture.texels, picture.width, asked.strength, clamp).into()
-            }
+            Some((_, clamp)) => bump::to_normals(&picture.texels, picture.width, asked.strength, clamp).into(),
         };
         let has_alpha = heights.is_none() && texels.iter().any(|texel| texel[3] < 255);
         let (file, width, height) = (picture.file.clone(), picture.width, picture.height);
@@ -177,17 +167,10 @@ impl<'a> Pictures<'a> {
         if let Some(texture) = self.checkerboard {
             return texture;
         }
-        let square =
-            |at: u32| if (at + at / 8).is_multiple_of(2) { [255, 0, 255, 255] } else { [64, 64, 64, 255] };
+        let square = |at: u32| if (at + at / 8).is_multiple_of(2) { [255, 0, 255, 255] } else { [64, 64, 64, 255] };
         let texels = (0..64).map(square).collect();
-        let texture = Texture {
-            file: String::new(),
-            content: Content::Color,
-            width: 8,
-            height: 8,
-            texels,
-            has_alpha: false,
-        };
+        let texture =
+            Texture { file: String::new(), content: Content::Color, width: 8, height: 8, texels, has_alpha: false };
         let texture = self.add(texture);
         self.checkerboard = Some(texture);
         texture

@@ -31,10 +31,10 @@ impl Parser<'_> {
         };
         match parts.next() {
             None => Ok(corner),
-            Some(_) => Err(self.bad(
-                format!("found the corner {}", quote(word)),
-                "wanted `v`, `v/vt`, `v//vn` or `v/vt/vn`",
-            )),
+            Some(_) => {
+                Err(self
+                    .bad(format!("found the corner {}", quote(word)), "wanted `v`, `v/vt`, `v//vn` or `v/vt/vn`"))
+            }
         }
     }
 
@@ -85,8 +85,7 @@ impl Parser<'_> {
             return self.pass_over("a face with fewer than three corners is not drawn");
         }
         self.places.clear();
-        self.places
-            .extend(face.iter().filter_map(|corner| self.mesh.positions.get(corner.position as usize)));
+        self.places.extend(face.iter().filter_map(|corner| self.mesh.positions.get(corner.position as usize)));
         if !self.places.iter().all(|place| place.is_finite()) {
             return self.pass_over("a face with a vertex that is not finite is not drawn");
         }
@@ -110,11 +109,7 @@ impl Parser<'_> {
             // Two corners in one place cover nothing from anywhere. A triangle of three places in a
             // line is kept: rounded to a pixel grid, it closes the seam to a neighbor's long side.
             if p == q || q == r || r == p {
-                self.warnings.add(
-                    self.file,
-                    self.line,
-                    "a triangle with two corners in one place is not drawn",
-                );
+                self.warnings.add(self.file, self.line, "a triangle with two corners in one place is not drawn");
                 continue;
             }
             let triangle = Triangle { corners: [a, b, c], material: self.material, group: self.group };
