@@ -21,7 +21,7 @@ use std::time::Duration;
 
 /// How long a wait for the device may take: a liveness guard, not a budget. Slices are cut to a quarter of a
 /// second; the rest is for a machine that does a hundred other things.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Which adapter to use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -157,6 +157,12 @@ impl Gpu {
     #[must_use]
     pub fn adapter(&self) -> &Adapter {
         &self.adapter
+    }
+
+    /// Whether it is a program on this machine's processor.
+    #[must_use]
+    pub fn software(&self) -> bool {
+        self.adapter.software
     }
 
     /// Whether it computes as Rust does, operation by operation: measured of Mesa's llvmpipe alone.

@@ -77,6 +77,13 @@ impl Renderer {
         Ok(Self { backend, gpu, sources: Sources::default(), notes })
     }
 
+    /// The same with other kernels: how a fault is planted, or a kernel tried out.
+    #[must_use]
+    pub fn with_sources(mut self, sources: Sources) -> Self {
+        self.sources = sources;
+        self
+    }
+
     /// The GPU, if it is the one to work.
     #[must_use]
     pub fn gpu(&self) -> Option<&Gpu> {

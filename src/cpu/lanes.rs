@@ -2,6 +2,11 @@
 //!
 //! Each function says what it does eight times; what it means, and why, is written at its twin for one ray.
 
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD levels are chosen outside; what is not inlined is compiled for none"
+)]
+
 pub(super) mod few;
 mod meet;
 mod shade;

@@ -135,7 +135,9 @@ impl Trace for CpuTrace<'_> {
                     let first = slice.first + first + i * LANES as u32;
                     status = both(status, lanes::few::few(tables, slice, first, stacks, sums, ids));
                 }
-                paths.iter_mut().for_each(|path| path.sample = slice.samples);
+                for path in paths {
+                    path.sample = slice.samples;
+                }
             } else {
                 let film = sums.iter_mut().zip(ids);
                 let stacks = stacks.chunks_mut(depth);

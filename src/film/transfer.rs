@@ -21,8 +21,8 @@ impl Transfer {
     /// The display's number, 0 to 255, for a color part clamped to 0 ... 1.
     #[must_use]
     pub fn encode(self, color: f32) -> u8 {
-        // Not `clamp`: what is not a number becomes 0.
-        let c = color.max(0.0).min(1.0);
+        // What is not a number becomes 0.
+        let c = if color > 0.0 { color.min(1.0) } else { 0.0 };
         let shown = match self {
             Self::None => c,
             Self::Srgb if c <= 0.003_130_8 => c * 12.92,

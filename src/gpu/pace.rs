@@ -16,7 +16,7 @@ pub(super) struct Pace {
     tries: u32,
 }
 
-const FIRST_BUDGET: u32 = 500;
+const FIRST_BUDGET: u32 = 100;
 /// Passes in one submission: macOS has been seen to freeze at 683.
 const MOST_ROUNDS: u32 = 20;
 const LEAST_BUDGET: u32 = 64;

@@ -14,8 +14,9 @@ use crate::tables::{
 };
 use crate::trace::{Paths, Trace};
 
-/// Room for paths and stacks: half of what every adapter binds at once.
+/// Room for paths and stacks: half of what every adapter binds at once, and what a software adapter's cache holds.
 const PATH_BYTES: u64 = 64 << 20;
+const PATH_BYTES_IN_CACHE: u64 = 16 << 20;
 
 /// The ray tracer on a GPU.
 #[derive(Debug)]
@@ -79,7 +80,8 @@ impl<'a> GpuTrace<'a> {
         });
         let depth = u64::from(tables.settings.max_depth);
         let a_pixel = depth * size_of::<Waiting>() as u64 + size_of::<Path>() as u64;
-        let pixels = (PATH_BYTES / a_pixel).min(1 << 18) as u32;
+        let room = if gpu.software() { PATH_BYTES_IN_CACHE } else { PATH_BYTES };
+        let pixels = (room / a_pixel).min(1 << 18) as u32;
         Ok(Self {
             gpu,
             cast: Kernel::new(gpu, sources, "trace/cast")?,
@@ -145,13 +147,12 @@ impl<'a> GpuTrace<'a> {
         slice: &Slice,
         dispatch: impl FnOnce(&Self, &mut wgpu::CommandEncoder) -> Result<u32, Error>,
     ) -> Result<(), Error> {
-        let (mut encoder, groups) = match self.recorded.take() {
-            Some(recorded) => recorded,
-            None => {
-                self.gpu.write(&self.slice, &[*slice]);
-                self.gpu.write(&self.status, &[Status::zeroed()]);
-                (self.gpu.encoder(), 0)
-            }
+        let (mut encoder, groups) = if let Some(recorded) = self.recorded.take() {
+            recorded
+        } else {
+            self.gpu.write(&self.slice, &[*slice]);
+            self.gpu.write(&self.status, &[Status::zeroed()]);
+            (self.gpu.encoder(), 0)
         };
         let more = dispatch(self, &mut encoder)?;
         self.recorded = Some((encoder, groups + more));

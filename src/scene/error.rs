@@ -1,6 +1,6 @@
 //! What is wrong with a scene file, where, and what would be right.
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 use std::ops::Range;
 use std::path::PathBuf;
 
@@ -53,7 +53,7 @@ pub struct Complaint {
 
 impl Complaint {
     /// A complaint about `span` of `text`. Unless the message says what was found, the text itself does.
-    pub(super) fn new(file: PathBuf, text: &str, span: Range<usize>, right: &str) -> Box<Self> {
+    pub(super) fn new(file: PathBuf, text: &str, span: Range<usize>, right: &str) -> Self {
         let start = floor(text, span.start);
         let end = floor(text, span.end).max(start);
         let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
@@ -62,7 +62,7 @@ impl Complaint {
         let found = text[start..end].lines().next().unwrap_or_default().trim();
         let says_itself = right.contains('`') || right.starts_with("invalid") || found.is_empty();
         let message = if says_itself { right.to_owned() } else { format!("found {}; {right}", shorten(found)) };
-        Box::new(Self {
+        Self {
             file,
             line: text[..start].matches('\n').count() + 1,
             column: text[line_start..start].chars().count() + 1,
@@ -70,7 +70,7 @@ impl Complaint {
             message,
             excerpt: excerpt.chars().take(160).collect(),
             width: text[start..end.min(line_end)].trim_end().chars().count().clamp(1, 160),
-        })
+        }
     }
 }
 
@@ -134,7 +134,7 @@ fn in_value(value: &DeValue<'_>, at: usize, path: &mut String) -> bool {
             // A list of numbers is one field; a list of tables is many.
             for (i, entry) in array.iter().enumerate().filter(|(_, entry)| entry.get_ref().is_table()) {
                 let before = path.len();
-                path.push_str(&format!("[{i}]"));
+                let _ = write!(path, "[{i}]");
                 if in_value(entry.get_ref(), at, path) || entry.span().contains(&at) {
                     return true;
                 }

@@ -46,7 +46,7 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
     match std::str::from_utf8(&bytes) {
         Ok(text) => parse(text, path),
         Err(at) => {
-            let line = bytes[..at.valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
+            let line = bytes[..at.valid_up_to()].split(|&b| b == b'\n').count();
             Err(failed(format!("line {line} is not UTF-8 text; save it as UTF-8")))
         }
     }
@@ -58,9 +58,9 @@ pub fn load(path: &Path) -> Result<Scene, Error> {
 /// If the text is not a scene.
 pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
     let complain =
-        |span: Range<usize>, right: &str| Error::Text(Complaint::new(name.to_owned(), text, span, right));
+        |span: Range<usize>, right: &str| Error::Text(Box::new(Complaint::new(name.to_owned(), text, span, right)));
     let file: File = toml::from_str(text).map_err(|e| complain(e.span().unwrap_or(0..0), e.message().trim()))?;
-    Resolver { complain: &complain, name }.scene(file)
+    Resolver { complain: &complain, name }.scene(&file)
 }
 
 struct Resolver<'a> {
@@ -70,7 +70,7 @@ struct Resolver<'a> {
 }
 
 impl Resolver<'_> {
-    fn scene(&self, file: File) -> Result<Scene, Error> {
+    fn scene(&self, file: &File) -> Result<Scene, Error> {
         let camera = self.camera(&file.camera)?;
         let film = self.film(&file.film)?;
         let mut names = HashMap::new();

@@ -94,10 +94,8 @@ fn no_text_makes_it_panic_or_hang() {
             }
             Err(other) => panic!("{other}"),
         });
-        match outcome {
-            Ok(picture) => rendered += u64::from(picture),
-            Err(_) => panic!("this text panics:\n{text}"),
-        }
+        let picture = outcome.unwrap_or_else(|_| panic!("this text panics:\n{text}"));
+        rendered += u64::from(picture);
         assert!(start.elapsed() < Duration::from_secs(2), "this text takes {:?}:\n{text}", start.elapsed());
         tried += 1;
     }

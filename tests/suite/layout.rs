@@ -3,7 +3,7 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Canvas, Corner, Face, Lamp, Lens, Light, Map, Material, Paint, Path, Piece, Plane, Settings, Slice,
+    self, Canvas, Corner, Face, Few, Lamp, Lens, Light, Map, Material, Paint, Path, Piece, Plane, Settings, Slice,
     Sphere, Status, Tally, Triangle, Vertex, View, Waiting,
 };
 
@@ -122,6 +122,13 @@ fn structs_are_the_same() {
     ];
     let structs = module.types.iter().filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. })).count();
     assert_eq!(mirrored.len(), structs, "a struct of wgsl/tables has no mirror here");
+}
+
+#[test]
+fn the_scene_as_one_uniform_is_the_same() {
+    let text = join(&Sources::default(), "trace/few").unwrap_or_else(|e| panic!("{e}")).text;
+    let module = naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)));
+    mirror!(module, Few { spheres, planes, materials, lights });
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! Faults planted in kernels and tables: each must be seen by the comparison that the frames are held to.
 
 use twinlight::film::compare::{Standard, compare};
+use twinlight::gpu::Wanted;
 use twinlight::gpu::wgsl::Sources;
+use twinlight::render::{Backend, Renderer};
+use twinlight::scene::Method;
 
 use super::{on_cpu, on_gpu, root, small, tables_of};
 
@@ -26,9 +29,9 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("math/sphere", "1.0 - 2.0 * a", "1.0 - 1.9999 * a", "room-diffuse"),
     ("shade/phong", "specular == BLINN", "specular != BLINN", "room"),
     ("trace/few", "(*path).sample == 0u", "(*path).sample == 1u", "room"),
-    ("trace/few", "(*path).inside == 0u &&", "", "room"),
+    ("trace/few", "(*path).depth + 1u", "(*path).depth", "room"),
     ("trace/unrolled", "t < found.t", "t <= found.t * 1.001", "room"),
-    ("trace/unrolled", "ray.leaves != i;", "true;", "room-diffuse"),
+    ("trace/unrolled", "ray.leaves == $iu)", "false)", "room"),
     ("trace/unrolled", "number == $iu", "number != $iu", "room"),
 ];
 
@@ -48,6 +51,25 @@ fn planted_faults_in_kernels_are_seen() {
             .map_or(true, |gpu| !compare(&on_cpu(&tables), &gpu, Standard::Exact).expect("one size").passes());
         assert!(seen, "{file}: {to:?} for {from:?} goes unnoticed");
     }
+}
+
+#[test]
+fn a_gpu_that_fails_is_left_for_the_cpu_with_a_sentence() {
+    let scene = small(&root().join("scenes/pyramid.toml"), [31, 17], 2);
+    let text = Sources::default().get("trace/gather").expect("a file").replace("sums[i] +=", "sums[i] =");
+    let broken = Sources::default().with("trace/gather", text);
+    let render = |backend| {
+        // A device of its own: this one is to be given up.
+        let renderer = Renderer::open(backend, &Wanted::Software).unwrap_or_else(|e| panic!("{e}"));
+        renderer.with_sources(broken.clone()).render(&scene, Method::Trace, &mut |_| ())
+    };
+    let _one_device_at_a_time = super::gpu();
+    let rendered = render(Backend::Auto).unwrap_or_else(|e| panic!("{e}"));
+    assert_eq!(rendered.by, "CPU");
+    let [note] = &rendered.notes[..] else { panic!("{:?}", rendered.notes) };
+    assert!(note.contains("has 1 of 2 samples") && note.ends_with("rendering on the CPU instead"), "{note}");
+    assert!(rendered.film == on_cpu(&tables_of(&scene)));
+    assert!(render(Backend::Gpu).is_err(), "where the GPU alone is allowed, there is no picture");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 #import "tables/light.wgsl"
 #import "trace/surface.wgsl"
 
-struct Scene {
+struct Few {
     spheres: array<Sphere, FEW>,
     planes: array<Plane, FEW>,
     materials: array<Material, FEW>,
@@ -11,10 +11,10 @@ struct Scene {
 
 const FEW: u32 = 16u;
 
-@group(0) @binding(5) var<uniform> scene: Scene;
+@group(0) @binding(5) var<uniform> scene: Few;
 
 // The scene in registers: in a loop, lavapipe would read a buffer lane by lane.
-var<private> own: Scene;
+var<private> own: Few;
 
 // `walk` from the first primitive to the last.
 fn nearest(ray: Ray) -> Found {

@@ -67,7 +67,7 @@ fn pixels<S: Simd>(
         };
         let mut turns = 1;
         while trees.active.any_true() {
-            let seen = trees.step(simd, tables, &mut status, |i| pixel(i), sample);
+            let seen = trees.step(simd, tables, &mut status, pixel, sample);
             if sample == 0 && turns == 1 {
                 ids.copy_from_slice(&seen.to_array()[..count]);
             }
@@ -153,7 +153,7 @@ impl<S: Simd> Trees<'_, S> {
         self.rays.leaves = on.select(found.hit, self.rays.leaves);
         self.way = Ways::choose(on, heavy, self.way);
         self.depth = on.select(self.depth + 1, self.depth);
-        self.taken = self.taken + 1;
+        self.taken += 1;
 
         let back = self.active & !on;
         self.active = on;

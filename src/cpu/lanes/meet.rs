@@ -95,11 +95,11 @@ pub(super) fn free<S: Simd>(
     let per_length_squared = 1.0 / rays.direction.dot(rays.direction);
     for (sphere, i) in tables.spheres.iter().zip(0_u32..) {
         let t = meet_sphere(simd, rays, sphere, per_length_squared, rays.leaves.simd_eq(i));
-        free = free & !t.simd_lt(reach);
+        free &= !t.simd_lt(reach);
     }
     for (plane, i) in tables.planes.iter().zip(tables.settings.spheres..) {
         let t = meet_plane(simd, rays, plane);
-        free = free & (!t.simd_lt(reach) | rays.leaves.simd_eq(i));
+        free &= !t.simd_lt(reach) | rays.leaves.simd_eq(i);
     }
     free
 }

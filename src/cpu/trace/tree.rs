@@ -38,7 +38,6 @@ pub fn turn_back(path: &mut Path, waiting: &[Waiting]) {
 }
 
 /// Follows the heavier branch and lets the lighter one wait: at most one waits for each level of the tree.
-#[expect(clippy::too_many_arguments, reason = "the kernel's bindings, one by one")]
 pub fn go_on(
     tables: &Tables,
     slice: &Slice,
