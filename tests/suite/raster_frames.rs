@@ -61,11 +61,17 @@ fn the_methods_see_the_same() {
     scene.raster.samples = 1;
     let drawn = scene_on_cpu(&twinlight::scene::Scene { method: Method::Raster, ..scene.clone() });
     let traced = on_cpu(&tables_of(&scene));
-    let differ = (0..drawn.pixels()).filter(|&p| drawn.id(p) != traced.id(p)).count();
+    // The tracer's first sample lies at the pixel's corner, half a pixel off: an edge may lie between.
+    let near = |p: u32, id: u32| {
+        let (x, y) = ((p % 160) as i32, (p / 160) as i32);
+        let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j)));
+        let mut inside = around.filter(|(x, y)| (0..160).contains(x) && (0..120).contains(y));
+        inside.any(|(x, y)| traced.id((y * 160 + x) as u32) == id)
+    };
+    let differ = (0..drawn.pixels()).filter(|&p| !near(p, drawn.id(p))).count();
     let seen = (0..drawn.pixels()).filter(|&p| drawn.id(p) != NONE).count();
     assert!(seen > 1000, "an empty picture proves nothing: {seen}");
-    // The tracer's first sample lies at the pixel's corner: half a pixel off.
-    assert!(differ * 12 < seen, "{differ} of {seen}");
+    assert!(differ * 100 < seen, "{differ} of {seen}");
 }
 
 /// Eq. 1.1 - 1.5 on paper: half way down the film between depths 1 and 3 lies a quarter of the way along.
