@@ -4,5 +4,6 @@
 //! clamp an index, its twin panics: the tests run both, so the twin is the kernels' sanitizer.
 
 mod lanes;
+pub mod raster;
 pub mod shade;
 pub mod trace;

@@ -4,12 +4,14 @@ mod buffer;
 mod error;
 mod kernel;
 mod pace;
+mod raster;
 mod trace;
 pub mod wgsl;
 
 pub use buffer::Buffer;
 pub use error::Error;
 pub use kernel::{Binding, Kernel, parse};
+pub use raster::{GpuImage, GpuRaster};
 pub use trace::{GpuPaths, GpuTrace};
 
 use std::panic::{AssertUnwindSafe, catch_unwind};

@@ -1,5 +1,11 @@
 //! Scene -> Tables: what a person says, as the arrays that both backends read.
 
+mod draw;
+pub mod lens;
+mod mesh;
+
+pub use draw::draw;
+
 use glam::Vec3;
 
 use crate::math::vector::unit;

@@ -2,11 +2,14 @@
 
 use std::time::{Duration, Instant};
 
+use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
 use crate::film::Film;
 use crate::gpu::wgsl::Sources;
-use crate::gpu::{self, Gpu, GpuTrace, Wanted};
-use crate::prepare::prepare;
+use crate::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
+use crate::prepare::lens::LONGEST_SIDE;
+use crate::prepare::{draw, prepare};
+use crate::raster;
 use crate::scene::{Method, Scene};
 use crate::trace;
 
@@ -28,9 +31,9 @@ pub enum Error {
     /// The GPU did not make it, and no other backend was allowed.
     #[error("{0}")]
     Gpu(#[from] gpu::Error),
-    /// The method is not there yet.
-    #[error("the rasterizer is not part of this version; use --method trace")]
-    NoRasterizer,
+    /// A film that fixed-point coordinates do not reach across.
+    #[error("a film of {}x{} is too large for the rasterizer: a side has at most {LONGEST_SIDE} pixels", .0[0], .0[1])]
+    TooLarge([u32; 2]),
 }
 
 /// A finished film and how it came to be.
@@ -99,16 +102,50 @@ impl Renderer {
         method: Method,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Rendered, Error> {
-        if method == Method::Raster {
-            return Err(Error::NoRasterizer);
-        }
-        let tables = prepare(scene);
-        let start = Instant::now();
         let mut notes = std::mem::take(&mut self.notes);
+        let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
+        notes.extend(warnings.map(ToString::to_string));
+        match method {
+            Method::Trace => {
+                if !scene.meshes.is_empty() {
+                    notes.push("the ray tracer does not see models; --method raster draws them".to_owned());
+                }
+                let tables = prepare(scene);
+                let on_gpu = |gpu: &Gpu, sources: &Sources, progress: &mut dyn FnMut(f64)| {
+                    trace::frame(&mut GpuTrace::new(gpu, sources, &tables)?, &tables, progress)
+                };
+                self.make(notes, progress, on_gpu, |progress| {
+                    let Ok(film) = trace::frame(&mut CpuTrace::new(&tables), &tables, progress);
+                    film
+                })
+            }
+            Method::Raster => {
+                if scene.film.size.iter().any(|side| *side > LONGEST_SIDE) {
+                    return Err(Error::TooLarge(scene.film.size));
+                }
+                let drawing = draw(scene);
+                let on_gpu = |gpu: &Gpu, sources: &Sources, progress: &mut dyn FnMut(f64)| {
+                    raster::frame(&mut GpuRaster::new(gpu, sources, &drawing)?, &drawing, progress)
+                };
+                self.make(notes, progress, on_gpu, |progress| {
+                    let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, progress);
+                    film
+                })
+            }
+        }
+    }
+
+    /// The one or the other, as the backend wants it.
+    fn make(
+        &mut self,
+        mut notes: Vec<String>,
+        progress: &mut dyn FnMut(f64),
+        on_gpu: impl FnOnce(&Gpu, &Sources, &mut dyn FnMut(f64)) -> Result<Film, gpu::Error>,
+        on_cpu: impl FnOnce(&mut dyn FnMut(f64)) -> Film,
+    ) -> Result<Rendered, Error> {
+        let start = Instant::now();
         if let Some(gpu) = &self.gpu {
-            let made = GpuTrace::new(gpu, &self.sources, &tables)
-                .and_then(|mut stages| trace::frame(&mut stages, &tables, progress));
-            match made {
+            match on_gpu(gpu, &self.sources, progress) {
                 Ok(film) => {
                     let by = gpu.adapter().name.clone();
                     return Ok(Rendered { film, by, took: start.elapsed(), notes });
@@ -120,7 +157,7 @@ impl Renderer {
                 Err(error) => return Err(error.into()),
             }
         }
-        let Ok(film) = trace::frame(&mut CpuTrace::new(&tables), &tables, progress);
+        let film = on_cpu(progress);
         Ok(Rendered { film, by: "CPU".to_owned(), took: start.elapsed(), notes })
     }
 }

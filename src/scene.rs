@@ -3,13 +3,17 @@
 //! [`load`] reads a TOML file; whatever is wrong with it is an [`Error`] that names the file, the line and the
 //! field, what was found and what would be right. A [`Scene`] that exists can be rendered.
 
+mod alone;
 mod error;
 pub mod file;
+mod mesh;
+pub mod model;
 mod resolve;
 pub mod value;
 
 pub use error::Error;
-pub use file::{Behavior, Method, Specular};
+pub use file::{Behavior, Filter, Method, Specular};
+pub use mesh::Mesh;
 pub use resolve::{load, parse};
 
 use glam::Vec3;
@@ -34,6 +38,8 @@ pub struct Scene {
     pub method: Method,
     /// How rays are traced.
     pub trace: TraceSettings,
+    /// How triangles are drawn.
+    pub raster: RasterSettings,
     /// What objects are made of.
     pub materials: Vec<Material>,
     /// Where light comes from.
@@ -44,6 +50,8 @@ pub struct Scene {
     pub planes: Vec<Plane>,
     /// Single triangles, in world space.
     pub triangles: Vec<Triangle>,
+    /// Models; only the rasterizer draws them.
+    pub meshes: Vec<Mesh>,
 }
 
 /// The eye (spec 1.2.1), in world space.
@@ -89,6 +97,55 @@ pub struct TraceSettings {
     pub cutoff: f32,
     /// Chooses another set of random numbers.
     pub seed: u32,
+}
+
+/// How triangles are drawn (spec part 1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct RasterSettings {
+    /// Samples a pixel: a square number.
+    pub samples: u32,
+    /// Width and height of a light's shadow map.
+    pub shadow_size: u32,
+    /// What a light still counts for where it is shadowed.
+    pub shadow: f32,
+    /// How much deeper than its caster a point must lie to be shadowed, as a share of the light's depth.
+    pub bias: f32,
+    /// Texels around a point's own that are asked for its shadow, in each direction.
+    pub blur: u32,
+    /// Added to every color.
+    pub ambient: Vec3,
+    /// Which specular term.
+    pub specular: Specular,
+    /// How textures are read.
+    pub filter: Filter,
+    /// What is shown instead of the picture.
+    pub show: Show,
+}
+
+/// The picture, or one of the things that it is made of (the spec's figures 1.12 and 1.14).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Show {
+    /// The picture itself.
+    #[default]
+    Color,
+    /// Distance from the eye: near is bright.
+    Depth,
+    /// The share of the lights that reaches a point.
+    Shadow,
+    /// The shading normal.
+    Normal,
+    /// Texture coordinates.
+    Uv,
+    /// The surface's own color.
+    Albedo,
+    /// The ambient term.
+    Ambient,
+    /// The diffuse term.
+    Diffuse,
+    /// The specular term.
+    Specular,
+    /// Every face in another color.
+    Id,
 }
 
 /// What an object is made of.

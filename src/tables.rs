@@ -3,9 +3,13 @@
 //!
 //! Each vector of three is followed by a scalar, so that no padding hides between them.
 
+mod lens;
 mod light;
 mod material;
+mod mesh;
+mod paint;
 mod path;
+mod piece;
 mod plane;
 mod settings;
 mod slice;
@@ -14,9 +18,16 @@ mod status;
 mod triangle;
 mod view;
 
+pub use lens::{DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
+pub use mesh::{Face, ONE_SIDED, Vertex};
+pub use paint::{
+    BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,
+    SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
+};
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
+pub use piece::{Corner, MOST_CORNERS, PLANES, Piece, Tally};
 pub use plane::Plane;
 pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};
@@ -89,5 +100,34 @@ impl Tables {
             materials: first(&self.materials),
             lights: first(&self.lights),
         }
+    }
+}
+
+/// A scene as the rasterizer reads it.
+#[derive(Debug, Clone)]
+pub struct Drawing {
+    /// The eye's lens, one for each sample of a pixel.
+    pub eyes: Vec<Lens>,
+    /// The lights' lenses, at most [`MOST_LENSES`]; their depths lie one after the other in one buffer.
+    pub lenses: Vec<Lens>,
+    /// How pixels are colored.
+    pub canvas: Canvas,
+    /// What faces share.
+    pub vertices: Vec<Vertex>,
+    /// What is drawn.
+    pub faces: Vec<Face>,
+    /// What faces are made of.
+    pub paints: Vec<Paint>,
+    /// Where light comes from.
+    pub lamps: Vec<Lamp>,
+    /// 256 words of the curve by which colors are decoded, as bits of f32; then texels, red in the lowest byte.
+    pub texels: Vec<u32>,
+}
+
+impl Drawing {
+    /// Words of all the lights' depths.
+    #[must_use]
+    pub fn shadow_words(&self) -> usize {
+        self.lenses.iter().map(Lens::pixels).sum::<u32>() as usize
     }
 }

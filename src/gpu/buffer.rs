@@ -62,6 +62,16 @@ impl Gpu {
         Ok(buffer)
     }
 
+    /// Values that are the same for every invocation, as an array of exactly so many.
+    ///
+    /// # Errors
+    /// If the device has no room.
+    pub fn uniforms<T: Pod>(&self, label: &str, values: &[T]) -> Result<Buffer<T>, Error> {
+        let buffer = self.create(label, values.len(), Usage::UNIFORM)?;
+        self.write(&buffer, values);
+        Ok(buffer)
+    }
+
     /// Writes values over a buffer's first elements, before whatever is submitted next.
     pub fn write<T: Pod>(&self, buffer: &Buffer<T>, values: &[T]) {
         self.queue.write_buffer(&buffer.raw, 0, bytemuck::cast_slice(values));

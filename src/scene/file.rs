@@ -4,6 +4,10 @@
 //! point at the table's header instead of the line it belongs to. The doc comments are the reference of the
 //! format: `scenes/scene.schema.json` is made of them.
 
+mod raster;
+
+pub use raster::{Filter, Mesh, Raster};
+
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -28,6 +32,9 @@ pub struct File {
     /// How rays are traced.
     #[serde(default)]
     pub trace: Trace,
+    /// How triangles are drawn.
+    #[serde(default)]
+    pub raster: Raster,
     /// Where light comes from.
     #[serde(default)]
     pub light: Lights,
@@ -263,6 +270,8 @@ pub struct Objects {
     pub plane: Vec<Plane>,
     /// Single triangles.
     pub triangle: Vec<Triangle>,
+    /// Models from files.
+    pub mesh: Vec<Mesh>,
 }
 
 /// A sphere.

@@ -5,25 +5,32 @@ use std::fs;
 use std::io::Read as _;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::Vec3;
 
+use super::alone::alone;
 use super::error::Complaint;
 use super::file::{self, File};
+use super::model::{Confined, Limits, Model, read_model};
 use super::value::At;
 use super::{
-    Behavior, Camera, Error, FilmSettings, Light, Material, Plane, Scene, Sphere, TraceSettings, Triangle,
+    Behavior, Camera, Error, FilmSettings, Light, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere,
+    TraceSettings, Triangle,
 };
 use crate::film::Film;
 
 /// The longest scene text; it is read whole.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// Reads a scene file.
+/// Reads a scene file, or a model (`.obj`), which gets a camera, lights and a ground that fit it.
 ///
 /// # Errors
 /// If the file cannot be read, or its text is not a scene.
 pub fn load(path: &Path) -> Result<Scene, Error> {
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+        return alone(path);
+    }
     let failed = |why: String| Error::Read { path: path.to_owned(), why };
     let about = fs::metadata(path).map_err(|e| failed(e.to_string()))?;
     // A pipe would wait for ever, and /dev/zero never ends.
@@ -53,10 +60,12 @@ pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
     let complain =
         |span: Range<usize>, right: &str| Error::Text(Box::new(Complaint::new(name.to_owned(), text, span, right)));
     let file: File = toml::from_str(text).map_err(|e| complain(e.span().unwrap_or(0..0), e.message().trim()))?;
-    Resolver { complain: &complain }.scene(&file)
+    Resolver { complain: &complain, name }.scene(&file)
 }
 
 struct Resolver<'a> {
+    /// What the text is called: meshes are looked for beside it.
+    name: &'a Path,
     complain: &'a dyn Fn(Range<usize>, &str) -> Error,
 }
 
@@ -101,6 +110,8 @@ impl Resolver<'_> {
                 cutoff: trace.cutoff.0,
                 seed: trace.seed.0,
             },
+            raster: self.raster(&file.raster, &film)?,
+            meshes: self.meshes(&names, &objects.mesh)?,
             materials,
             lights: lights(&file.light, &film),
             spheres: spheres.collect::<Result<_, Error>>()?,
@@ -108,6 +119,54 @@ impl Resolver<'_> {
             triangles: triangles.collect::<Result<_, Error>>()?,
             film,
         })
+    }
+
+    fn raster(&self, raster: &file::Raster, film: &FilmSettings) -> Result<RasterSettings, Error> {
+        let samples = raster.samples.get().0;
+        if samples.isqrt().pow(2) != samples || samples > 256 {
+            return self.refuse(&raster.samples, "the rasterizer's samples are a square number from 1 to 256");
+        }
+        Ok(RasterSettings {
+            samples,
+            shadow_size: raster.shadow_size.0,
+            shadow: raster.shadow.0,
+            bias: raster.bias.0,
+            blur: raster.blur.0,
+            ambient: raster.ambient.under(film.transfer),
+            specular: raster.specular,
+            filter: raster.filter,
+            show: Show::Color,
+        })
+    }
+
+    /// A file that is named twice is read once.
+    fn meshes(&self, names: &HashMap<String, usize>, meshes: &[file::Mesh]) -> Result<Vec<Mesh>, Error> {
+        let mut read: HashMap<&String, Arc<Model>> = HashMap::new();
+        let mut all = Vec::with_capacity(meshes.len());
+        for mesh in meshes {
+            let path = mesh.path.get();
+            let model = match read.get(path) {
+                Some(model) => Arc::clone(model),
+                None => Arc::new(self.model(&mesh.path)?),
+            };
+            read.insert(path, Arc::clone(&model));
+            let material = mesh.material.as_ref().map(|name| self.named(names, name)).transpose()?;
+            all.push(Mesh {
+                model,
+                translate: mesh.translate.0,
+                rotate: mesh.rotate.0 * (std::f32::consts::PI / 180.0),
+                scale: mesh.scale.0,
+                material,
+                one_sided: mesh.one_sided,
+            });
+        }
+        Ok(all)
+    }
+
+    fn model(&self, path: &At<String>) -> Result<Model, Error> {
+        let refuse = |why: String| (self.complain)(path.span(), &why);
+        let (folder, _) = Confined::around(self.name).map_err(|why| refuse(why.to_string()))?;
+        read_model(Path::new(path.get()), &folder, &Limits::default()).map_err(|why| refuse(why.to_string()))
     }
 
     fn refuse<T, U>(&self, value: &At<T>, right: &str) -> Result<U, Error> {

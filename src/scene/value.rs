@@ -2,7 +2,9 @@
 
 mod number;
 
-pub use number::{Aspect, Degrees, Depth, Exponent, Index, Intensity, Length, Samples, Seed, Side, Weight};
+pub use number::{
+    Aspect, Blur, Degrees, Depth, Exponent, Index, Intensity, Length, Samples, Seed, ShadowSize, Side, Weight,
+};
 
 use std::fmt;
 use std::marker::PhantomData;

@@ -7,10 +7,10 @@ use std::path::Path;
 use twinlight::film::write_whole;
 use twinlight::scene::Scene;
 
-use super::{on_cpu, root, scenes, small, tables_of};
+use super::{root, scene_on_cpu, scenes, small};
 
 fn check(name: &str, scene: &Scene) {
-    let picture = on_cpu(&tables_of(scene)).to_rgb8(scene.film.transfer);
+    let picture = scene_on_cpu(scene).to_rgb8(scene.film.transfer);
     let path = root().join(format!("tests/golden/{name}.png"));
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         write_whole(&path, &picture).unwrap_or_else(|e| panic!("{e}"));

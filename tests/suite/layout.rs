@@ -3,7 +3,8 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Few, Light, Material, Path, Plane, Settings, Slice, Sphere, Status, Triangle, View, Waiting,
+    self, Canvas, Corner, Face, Few, Lamp, Lens, Light, Map, Material, Paint, Path, Piece, Plane, Settings, Slice,
+    Sphere, Status, Tally, Triangle, Vertex, View, Waiting,
 };
 
 /// All tables in one module.
@@ -80,6 +81,43 @@ fn structs_are_the_same() {
         mirror!(module, Sphere { center, radius, material, pad_a, pad_b }),
         mirror!(module, Status { groups, pixels, flags, turns }),
         mirror!(module, Triangle { a, material, b, pad_b, c, pad_c }),
+        mirror!(
+            module,
+            Lens {
+                x,
+                y,
+                z,
+                w,
+                width,
+                height,
+                first,
+                columns,
+                vertices,
+                faces,
+                cull,
+                zero,
+                bias,
+                slope,
+                guard_x,
+                guard_y,
+                small,
+                round,
+                pieces,
+                pad
+            }
+        ),
+        mirror!(module, Vertex { position, u, normal, v }),
+        mirror!(module, Face { a, b, c, paint }),
+        mirror!(module, Corner { at, code }),
+        mirror!(module, Piece { a, id, b, pad_b, c, pad_c }),
+        mirror!(module, Tally { pieces, entries, longest, groups }),
+        mirror!(module, Map { first, width, height, levels, scale, shift }),
+        mirror!(
+            module,
+            Paint { color, exponent, specular, bump, diffuse_map, normal_map, specular_map, exponent_map }
+        ),
+        mirror!(module, Lamp { place, kind, power, lens }),
+        mirror!(module, Canvas { eye, lamps, background, specular, ambient, shade, filtering, blur, show, reach }),
         mirror!(module, View { eye, width, right, height, up, grid, back, seed }),
     ];
     let structs = module.types.iter().filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. })).count();
@@ -129,7 +167,29 @@ fn constants_are_the_same() {
         MOST_TURNS,
         GROUP,
         CUT_SHORT,
-        STACK_FULL
+        STACK_FULL,
+        DEEP,
+        NO_DEPTH,
+        TILE,
+        MOST_ENTRIES,
+        MOST_LENSES,
+        STEEPEST,
+        ONE_SIDED,
+        PLANES,
+        MOST_CORNERS,
+        NEAREST,
+        BILINEAR,
+        MIPMAP,
+        SHOW_COLOR,
+        SHOW_DEPTH,
+        SHOW_SHADOW,
+        SHOW_NORMAL,
+        SHOW_UV,
+        SHOW_ALBEDO,
+        SHOW_AMBIENT,
+        SHOW_DIFFUSE,
+        SHOW_SPECULAR,
+        SHOW_ID
     );
     assert_eq!(checked, module.constants.iter().count(), "a constant of wgsl/tables is not checked here");
 }

@@ -15,6 +15,8 @@ mod layout;
 mod loops;
 mod mutants;
 mod oracle;
+mod raster_exact;
+mod raster_frames;
 mod schema;
 mod stages;
 mod tidy;
@@ -25,14 +27,16 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::Film;
 use twinlight::gpu::wgsl::Sources;
-use twinlight::gpu::{self, Gpu, GpuTrace, Wanted};
+use twinlight::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
 use twinlight::math::random::{pcg4d, unit_float};
 use twinlight::math::{Vec3, vector::unit};
-use twinlight::prepare::prepare;
-use twinlight::scene::{self, Scene};
+use twinlight::prepare::{draw, prepare};
+use twinlight::raster;
+use twinlight::scene::{self, Method, Scene};
 use twinlight::tables::{Slice, Tables};
 use twinlight::trace::{self, Paths, Trace};
 
@@ -65,6 +69,8 @@ fn small(path: &Path, size: [u32; 2], samples: u32) -> Scene {
     let mut scene = scene::load(path).unwrap_or_else(|e| panic!("{e}"));
     scene.resize(size).expect("a small film fits");
     scene.trace.samples = samples;
+    scene.raster.samples = samples.isqrt().pow(2);
+    scene.raster.shadow_size = 256;
     scene
 }
 
@@ -76,6 +82,28 @@ fn on_cpu(tables: &Tables) -> Film {
 fn on_gpu(sources: &Sources, tables: &Tables) -> Result<Film, gpu::Error> {
     let gpu = gpu();
     let film = trace::frame(&mut GpuTrace::new(&gpu, sources, tables)?, tables, &mut |_| ())?;
+    assert_eq!(gpu.complaint(), None, "wgpu complained");
+    Ok(film)
+}
+
+/// The CPU's film of a scene, by the scene's own method.
+fn scene_on_cpu(scene: &Scene) -> Film {
+    if scene.method == Method::Trace {
+        return on_cpu(&tables_of(scene));
+    }
+    let drawing = draw(scene);
+    let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, &mut |_| ());
+    film
+}
+
+/// The GPU's film of a scene, by the scene's own method.
+fn scene_on_gpu(sources: &Sources, scene: &Scene) -> Result<Film, gpu::Error> {
+    if scene.method == Method::Trace {
+        return on_gpu(sources, &tables_of(scene));
+    }
+    let gpu = gpu();
+    let drawing = draw(scene);
+    let film = raster::frame(&mut GpuRaster::new(&gpu, sources, &drawing)?, &drawing, &mut |_| ())?;
     assert_eq!(gpu.complaint(), None, "wgpu complained");
     Ok(film)
 }

@@ -10,12 +10,12 @@ use twinlight::film;
 use twinlight::gpu::{self, Wanted};
 use twinlight::render;
 use twinlight::scene::value::{Depth, Samples, Side};
-use twinlight::scene::{self, Method, Scene};
+use twinlight::scene::{self, Method, Scene, Show};
 
 /// A scene, and what of it the command line says otherwise.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Job {
-    /// The scene file (TOML).
+    /// The scene file (TOML), or a model (OBJ) that gets a camera, lights and a ground that fit it.
     pub(crate) scene: PathBuf,
     /// How to render [default: the scene's method].
     #[arg(long)]
@@ -32,6 +32,9 @@ pub(crate) struct Job {
     /// Rays in a row, the first one counted [default: the scene's].
     #[arg(long, value_name = "N", value_parser = depth)]
     depth: Option<u32>,
+    /// What the rasterizer shows [default: the picture].
+    #[arg(long, value_name = "WHAT")]
+    show: Option<Show>,
 }
 
 impl Job {
@@ -42,6 +45,10 @@ impl Job {
             scene.resize(size)?;
         }
         scene.trace.samples = self.samples.unwrap_or(scene.trace.samples);
+        if let Some(samples) = self.samples {
+            scene.raster.samples = samples.isqrt().min(16).pow(2);
+        }
+        scene.raster.show = self.show.unwrap_or_default();
         scene.trace.depth = self.depth.unwrap_or(scene.trace.depth);
         let method = self.method.unwrap_or(scene.method);
         Ok((scene, method))
@@ -95,7 +102,7 @@ impl Failure {
         ExitCode::from(match self {
             Self::Scene(scene::Error::Memory { .. }) | Self::Gpu(gpu::Error::NoRoom { .. }) => 6,
             Self::Scene(_) => 3,
-            Self::Film(film::Error::Ending(_)) | Self::Render(render::Error::NoRasterizer) | Self::Sizes(_) => 2,
+            Self::Film(film::Error::Ending(_)) | Self::Render(render::Error::TooLarge(_)) | Self::Sizes(_) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
         })

@@ -134,6 +134,14 @@ count! {
     Depth, 1_u32, crate::scene::DEEPEST, "a depth is a whole number of rays from 1 to 32"
 }
 count! {
+    /// Texels along a side of a shadow map.
+    ShadowSize, 16_u32, 4096_u32, "a shadow map's side is a whole number of texels from 16 to 4096"
+}
+count! {
+    /// Texels around another.
+    Blur, 0_u32, 3_u32, "a blur is a whole number of texels from 0 to 3"
+}
+count! {
     /// Any 32 bits.
     Seed, 0_u32, u32::MAX, "a seed is a whole number from 0 to 4294967295"
 }

@@ -1,0 +1,155 @@
+//! three corners in fixed point -> integer planes: coverage and depth at any pixel, exactly
+
+use glam::{IVec2, IVec3, IVec4};
+
+use crate::tables::{Lens, STEEPEST, TILE};
+
+/// A triangle whose area is above zero, as seen from a pixel near it, its origin.
+///
+/// A pixel (x, y) from there is covered where `a * x + b * y + e >= 0` for all three edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Plan {
+    /// What each edge grows by from column to column.
+    pub a: IVec3,
+    /// What each edge grows by from row to row.
+    pub b: IVec3,
+    /// Each edge at the origin.
+    pub e: IVec3,
+    /// What depth grows by from column to column.
+    pub zx: i32,
+    /// What depth grows by from row to row.
+    pub zy: i32,
+    /// Depth at the origin, modulo 2^32.
+    pub z: i32,
+    /// The least depth of the corners; no sample is below it.
+    pub low: i32,
+    /// The largest depth of the corners.
+    pub high: i32,
+    /// Added to every depth.
+    pub bias: u32,
+}
+
+/// Twice the signed area in 1/65536 pixel, in base 4096: `x * 2^24 + y * 2^12 + z` with y and z in 0 ... 4095.
+///
+/// Sides are below 2^23, so the halves' products are below 2^25 and nothing overflows.
+#[must_use]
+pub fn area(p: IVec3, q: IVec3, r: IVec3) -> IVec3 {
+    let [ux, uy, vx, vy] = [q.x - p.x, q.y - p.y, r.x - p.x, r.y - p.y];
+    let h = |s: i32| s >> 12;
+    let l = |s: i32| s & 4095;
+    let mut high = h(ux) * h(vy) - h(uy) * h(vx);
+    let mut middle = (h(ux) * l(vy) + l(ux) * h(vy)) - (h(uy) * l(vx) + l(uy) * h(vx));
+    let mut low = l(ux) * l(vy) - l(uy) * l(vx);
+    middle += low >> 12;
+    low &= 4095;
+    high += middle >> 12;
+    middle &= 4095;
+    IVec3::new(high, middle, low)
+}
+
+/// -1, 0 or 1.
+#[must_use]
+pub fn area_sign(area: IVec3) -> i32 {
+    if area.x != 0 {
+        return area.x.signum();
+    }
+    i32::from((area.y | area.z) != 0)
+}
+
+/// `a * x + b * y + e`, held within +-2^29: a tile's width from there it has the same sign.
+///
+/// In base 256, so that nothing overflows: |a|, |b| < 2^23, |x|, |y| < 2^15.
+fn edge_at(a: i32, b: i32, e: i32, x: i32, y: i32) -> i32 {
+    let low = (a & 255) * x + (b & 255) * y + e;
+    let high = (a >> 8) * x + (b >> 8) * y + (low >> 8);
+    if high >= 1 << 21 {
+        1 << 29
+    } else if high < -(1 << 21) {
+        -(1 << 29)
+    } else {
+        high * 256 + (low & 255)
+    }
+}
+
+/// The edge from p to q, as seen from the pixel `origin`: (a, b, e).
+///
+/// The floor of the constant keeps every sign, since the rest of the sum is a multiple of 256. A sample on an edge
+/// belongs to the triangle whose left or top edge it is.
+fn edge(p: IVec3, q: IVec3, origin: IVec2) -> IVec3 {
+    let a = p.y - q.y;
+    let b = q.x - p.x;
+    let owned = a > 0 || (a == 0 && b > 0);
+    let [x, y] = [p.x - 128, p.y - 128];
+    let constant = (if owned { 0 } else { -1 } - (a * (x & 255) + b * (y & 255))) >> 8;
+    IVec3::new(a, b, edge_at(a, b, constant, origin.x - (x >> 8), origin.y - (y >> 8)))
+}
+
+/// A slope in depths a pixel, from its numerator and twice the area.
+fn slope(numerator: f32, area: f32) -> i32 {
+    (numerator * 256.0 / area + 0.5).floor().clamp(-1_073_741_824.0, 1_073_741_824.0) as i32
+}
+
+/// p, q, r with an area above zero, as seen from the pixel `origin`.
+#[must_use]
+pub fn plan(lens: &Lens, p: IVec3, q: IVec3, r: IVec3, origin: IVec2) -> Plan {
+    let edges = [edge(p, q, origin), edge(q, r, origin), edge(r, p, origin)];
+    let parts = area(p, q, r);
+    let size = (parts.x as f32 * 16_777_216.0 + parts.y as f32 * 4096.0) + parts.z as f32;
+    let (u, v) = ((q - p).as_vec3(), (r - p).as_vec3());
+    let zx = slope(u.z * v.y - v.z * u.y, size);
+    let zy = slope(v.z * u.x - u.z * v.x, size);
+    let [x, y] = [p.x - 128, p.y - 128];
+    let share = |z: i32, part: i32| (z >> 8) * part + (((z & 255) * part) >> 8);
+    let back = share(zx, x & 255).wrapping_add(share(zy, y & 255));
+    let z = p.z.wrapping_sub(back);
+    let z = z.wrapping_add(zx.wrapping_mul(origin.x - (x >> 8))).wrapping_add(zy.wrapping_mul(origin.y - (y >> 8)));
+    let steep = (zx.unsigned_abs() + zy.unsigned_abs()).min(STEEPEST);
+    Plan {
+        a: IVec3::from_array(edges.map(|e| e.x)),
+        b: IVec3::from_array(edges.map(|e| e.y)),
+        e: IVec3::from_array(edges.map(|e| e.z)),
+        zx,
+        zy,
+        z,
+        low: p.z.min(q.z).min(r.z),
+        high: p.z.max(q.z).max(r.z),
+        bias: lens.bias + (steep >> 8) * lens.slope,
+    }
+}
+
+/// Whether no pixel of the tile that the plan is seen from can be covered: each edge is asked where it is largest.
+#[must_use]
+pub fn misses(plan: &Plan) -> bool {
+    let side = TILE as i32 - 1;
+    let most = plan.e + plan.a.max(IVec3::ZERO) * side + plan.b.max(IVec3::ZERO) * side;
+    (most.x | most.y | most.z) < 0
+}
+
+/// The depth of a pixel that is covered.
+#[must_use]
+pub fn depth_at(plan: &Plan, x: i32, y: i32) -> u32 {
+    let z = plan.z.wrapping_add(plan.zx.wrapping_mul(x)).wrapping_add(plan.zy.wrapping_mul(y));
+    z.clamp(plan.low, plan.high) as u32 + plan.bias
+}
+
+/// Whether a pixel is covered.
+#[must_use]
+pub fn covers(plan: &Plan, x: i32, y: i32) -> bool {
+    let e = plan.e + plan.a * x + plan.b * y;
+    (e.x | e.y | e.z) >= 0
+}
+
+/// The pixels whose centers the bounding box holds: first and last column and row, however far off the film.
+#[must_use]
+pub fn span(p: IVec3, q: IVec3, r: IVec3) -> IVec4 {
+    let low = p.min(q).min(r);
+    let high = p.max(q).max(r);
+    IVec4::new((low.x + 127) >> 8, (low.y + 127) >> 8, (high.x - 128) >> 8, (high.y - 128) >> 8)
+}
+
+/// The same, on the film.
+#[must_use]
+pub fn on_film(lens: &Lens, span: IVec4) -> IVec4 {
+    let [right, bottom] = [lens.width as i32 - 1, lens.height as i32 - 1];
+    IVec4::new(span.x.max(0), span.y.max(0), span.z.min(right), span.w.min(bottom))
+}

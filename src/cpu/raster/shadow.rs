@@ -1,0 +1,52 @@
+//! a point and a light -> the share of the light that reaches it
+
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+use glam::Vec3;
+
+use super::snap::to_clip;
+use crate::tables::{DEEP, Lamp, Lens, NONE, POINT};
+
+/// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
+fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
+    if lamp.kind != POINT {
+        return lamp.lens;
+    }
+    let way = p - lamp.place;
+    let size = way.abs();
+    if size.x >= size.y && size.x >= size.z {
+        return lamp.lens + u32::from(way.x < 0.0);
+    }
+    if size.y >= size.z {
+        return lamp.lens + 2 + u32::from(way.y < 0.0);
+    }
+    lamp.lens + 4 + u32::from(way.z < 0.0)
+}
+
+/// Depths are compared as they were drawn, in integers; the bias is in the drawn ones.
+#[must_use]
+pub fn reaches(lenses: &[Lens], shadows: &[AtomicU32], blur: u32, lamp: &Lamp, p: Vec3) -> f32 {
+    if lamp.lens == NONE {
+        return 1.0;
+    }
+    let lens = &lenses[lens_of(lamp, p) as usize];
+    let c = to_clip(lens, p);
+    if !(c.x.abs() <= c.w && c.y.abs() <= c.w && c.z >= 0.0 && c.z <= c.w) {
+        return 1.0;
+    }
+    let (width, height) = (lens.width as i32, lens.height as i32);
+    let column = ((c.x / c.w * 0.5 + 0.5) * width as f32).floor() as i32;
+    let row = ((0.5 - c.y / c.w * 0.5) * height as f32).floor() as i32;
+    let depth = (c.z / c.w * DEEP as f32) as u32;
+    let blur = blur as i32;
+    let mut open = 0;
+    for j in -blur..=blur {
+        for i in -blur..=blur {
+            let at = (row + j).clamp(0, height - 1) * width + (column + i).clamp(0, width - 1);
+            if depth <= shadows[lens.first as usize + at as usize].load(Relaxed) {
+                open += 1;
+            }
+        }
+    }
+    open as f32 / ((2 * blur + 1) * (2 * blur + 1)) as f32
+}

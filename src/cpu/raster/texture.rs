@@ -1,0 +1,77 @@
+//! a map and a place on it -> the color there
+
+use glam::{Vec2, Vec3};
+
+use crate::math::power::log2_exact;
+use crate::tables::{BILINEAR, Map, NEAREST};
+
+/// A level of a map: its first texel and its size.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    first: u32,
+    width: i32,
+    height: i32,
+}
+
+fn level_of(map: &Map, number: u32) -> Level {
+    let mut level = Level { first: map.first, width: map.width as i32, height: map.height as i32 };
+    for _ in 0..number {
+        level.first += (level.width * level.height) as u32;
+        level.width = (level.width / 2).max(1);
+        level.height = (level.height / 2).max(1);
+    }
+    level
+}
+
+/// A texel by column and row from the lower left; the picture repeats.
+fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
+    let column = x.rem_euclid(level.width);
+    let row = level.height - 1 - y.rem_euclid(level.height);
+    let word = texels[level.first as usize + (row * level.width + column) as usize];
+    let [red, green, blue, _] = word.to_le_bytes();
+    Vec3::from_array(
+        [red, green, blue]
+            .map(|byte| if decode { f32::from_bits(texels[byte as usize]) } else { f32::from(byte) / 255.0 }),
+    )
+}
+
+fn blend(p: Vec3, q: Vec3, share: f32) -> Vec3 {
+    p + (q - p) * share
+}
+
+fn bilinear(texels: &[u32], level: Level, u: f32, v: f32, decode: bool) -> Vec3 {
+    let x = u * level.width as f32 - 0.5;
+    let y = v * level.height as f32 - 0.5;
+    let (column, row) = (x.floor() as i32, y.floor() as i32);
+    let across = x - x.floor();
+    let at = |dx: i32, dy: i32| texel(texels, level, column + dx, row + dy, decode);
+    blend(blend(at(0, 0), at(1, 0), across), blend(at(0, 1), at(1, 1), across), y - y.floor())
+}
+
+/// `uvs`: the texture coordinates here, one pixel to the right, and one pixel down.
+#[must_use]
+pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], decode: bool) -> Vec3 {
+    let [uv, right, down] = uvs;
+    let full = uv * map.scale + map.shift;
+    let (u, v) = (full.x - full.x.floor(), full.y - full.y.floor());
+    let finest = level_of(map, 0);
+    if filtering == NEAREST {
+        let (x, y) = (u * map.width as f32, v * map.height as f32);
+        return texel(texels, finest, x as i32, y as i32, decode);
+    }
+    if filtering == BILINEAR {
+        return bilinear(texels, finest, u, v, decode);
+    }
+    let size = map.scale * Vec2::new(map.width as f32, map.height as f32);
+    let dx = (right - uv) * size;
+    let dy = (down - uv) * size;
+    let stride = (dx.x * dx.x + dx.y * dx.y).max(dy.x * dy.x + dy.y * dy.y);
+    let detail = (0.5 * log2_exact(stride.clamp(1e-6, 1e12))).clamp(0.0, (map.levels - 1) as f32);
+    let fine = detail as u32;
+    let near = bilinear(texels, level_of(map, fine), u, v, decode);
+    if fine + 1 >= map.levels {
+        return near;
+    }
+    let far = bilinear(texels, level_of(map, fine + 1), u, v, decode);
+    blend(near, far, detail - detail.floor())
+}

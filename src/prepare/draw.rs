@@ -1,0 +1,159 @@
+//! Scene -> Drawing: everything as triangles, every light with its lenses.
+
+use glam::Vec3;
+
+use super::lens::{Pose, orthographic, perspective};
+use super::mesh::Sheet;
+use super::pose;
+use crate::math::vector::unit;
+use crate::scene::{Filter, Light, Scene, Show, Specular};
+use crate::tables::{self, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
+
+/// Words that all lights' depths may take together: what every adapter binds at once.
+const SHADOW_WORDS: u32 = (128 << 20) / 4;
+
+/// A sphere around all that is drawn but infinite planes.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    center: Vec3,
+    radius: f32,
+}
+
+/// The drawing of a scene.
+#[must_use]
+pub fn draw(scene: &Scene) -> Drawing {
+    let mut sheet = Sheet::new(scene);
+    sheet.meshes(scene);
+    sheet.spheres(scene);
+    sheet.triangles(scene);
+    let bounds = bounds(&sheet);
+    sheet.planes(scene);
+    let Sheet { vertices, faces, paints, texels, .. } = sheet;
+
+    let mut drawing = Drawing {
+        eyes: eyes(scene),
+        lenses: Vec::new(),
+        canvas: canvas(scene),
+        vertices,
+        faces,
+        paints,
+        lamps: Vec::new(),
+        texels,
+    };
+    lamps(scene, bounds, &mut drawing);
+    let count = (drawing.vertices.len() as u32, drawing.faces.len() as u32);
+    for lens in drawing.eyes.iter_mut().chain(&mut drawing.lenses) {
+        (lens.vertices, lens.faces) = count;
+    }
+    drawing
+}
+
+fn bounds(sheet: &Sheet) -> Option<Bounds> {
+    let first = sheet.vertices.first()?.position;
+    let (low, high) =
+        sheet.vertices.iter().fold((first, first), |(low, high), v| (low.min(v.position), high.max(v.position)));
+    let center = (low + high) * 0.5;
+    let radius = sheet.vertices.iter().map(|v| v.position.distance(center)).fold(0.0, f32::max);
+    Some(Bounds { center, radius: radius.max(1e-6) * 1.001 })
+}
+
+/// One lens for each sample of a pixel: the middles of an n x n grid.
+fn eyes(scene: &Scene) -> Vec<Lens> {
+    let camera = &scene.camera;
+    let size = scene.film.size;
+    let up = (camera.fov / 2.0).tan();
+    let aspect = camera.aspect.unwrap_or(size[0] as f32 / size[1] as f32);
+    let side = scene.raster.samples.isqrt().max(1);
+    let at = |i: u32| (i as f32 + 0.5) / side as f32 - 0.5;
+    let seat = Pose { eye: camera.position, axes: pose(camera) };
+    (0..side * side)
+        .map(|i| {
+            let shift = [-at(i % side), -at(i / side)];
+            let lens = perspective(&seat, [up * aspect, up], [camera.near, camera.far], size, shift);
+            Lens { cull: 1, ..lens }
+        })
+        .collect()
+}
+
+fn canvas(scene: &Scene) -> Canvas {
+    let settings = &scene.raster;
+    Canvas {
+        eye: scene.camera.position,
+        lamps: scene.lights.len() as u32,
+        background: scene.film.background,
+        specular: match settings.specular {
+            Specular::Phong => tables::PHONG,
+            Specular::Blinn => tables::BLINN,
+        },
+        ambient: settings.ambient,
+        shade: settings.shadow,
+        filtering: match settings.filter {
+            Filter::Nearest => tables::NEAREST,
+            Filter::Bilinear => tables::BILINEAR,
+            Filter::Mipmap => tables::MIPMAP,
+        },
+        blur: settings.blur,
+        show: match settings.show {
+            Show::Color => tables::SHOW_COLOR,
+            Show::Depth => tables::SHOW_DEPTH,
+            Show::Shadow => tables::SHOW_SHADOW,
+            Show::Normal => tables::SHOW_NORMAL,
+            Show::Uv => tables::SHOW_UV,
+            Show::Albedo => tables::SHOW_ALBEDO,
+            Show::Ambient => tables::SHOW_AMBIENT,
+            Show::Diffuse => tables::SHOW_DIFFUSE,
+            Show::Specular => tables::SHOW_SPECULAR,
+            Show::Id => tables::SHOW_ID,
+        },
+        reach: scene.camera.position.distance(scene.camera.look_at),
+    }
+}
+
+/// Lights beyond the room for lenses cast no shadows.
+fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
+    let wanted: u32 = scene.lights.iter().map(|l| if matches!(l, Light::Point { .. }) { 6 } else { 1 }).sum();
+    let mut side = scene.raster.shadow_size;
+    while wanted.min(MOST_LENSES) * side * side > SHADOW_WORDS {
+        side /= 2;
+    }
+    for light in &scene.lights {
+        let (place, kind, power) = match *light {
+            Light::Point { position, power } => (position, tables::POINT, power),
+            Light::Directional { toward, power } => (toward, tables::DIRECTIONAL, power),
+        };
+        let seen = bounds.map_or(Vec::new(), |b| {
+            if kind == tables::POINT { cube(place, b, side) } else { vec![beam(place, b, side)] }
+        });
+        let room = drawing.lenses.len() + seen.len() <= MOST_LENSES as usize && !seen.is_empty();
+        let lens = if room { drawing.lenses.len() as u32 } else { NONE };
+        drawing.lamps.push(Lamp { place, kind, power, lens });
+        for mut lens in seen.into_iter().filter(|_| room) {
+            lens.first = drawing.shadow_words() as u32;
+            lens.bias = (scene.raster.bias * DEEP as f32) as u32;
+            // A texel each way, and as many more as are asked around it.
+            lens.slope = 256 * (1 + scene.raster.blur);
+            drawing.lenses.push(lens);
+        }
+    }
+}
+
+fn beam(toward: Vec3, bounds: Bounds, side: u32) -> Lens {
+    let helper = if toward.y.abs() < 0.9 { Vec3::Y } else { Vec3::X };
+    let right = unit(helper.cross(toward));
+    let axes = [right, unit(toward.cross(right)), toward];
+    let seat = Pose { eye: bounds.center + toward * (bounds.radius * 2.0), axes };
+    orthographic(&seat, [bounds.radius; 2], [bounds.radius, bounds.radius * 3.0], [side; 2])
+}
+
+/// +x -x +y -y +z -z, as the shadow stage counts them.
+fn cube(eye: Vec3, bounds: Bounds, side: u32) -> Vec<Lens> {
+    let far = eye.distance(bounds.center) + bounds.radius;
+    let ways = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
+    let face = |way: Vec3| {
+        let helper = if way.y == 0.0 { Vec3::Y } else { Vec3::Z };
+        let right = way.cross(helper);
+        let axes = [right, right.cross(way), -way];
+        perspective(&Pose { eye, axes }, [1.0; 2], [far * 1e-3, far], [side; 2], [0.0; 2])
+    };
+    ways.map(face).to_vec()
+}

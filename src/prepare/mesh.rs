@@ -1,0 +1,177 @@
+//! objects of every kind -> vertices, faces, paints and texels
+
+use std::collections::HashMap;
+
+use glam::{Vec2, Vec3};
+
+use crate::film::Transfer;
+use crate::math::vector::unit;
+use crate::scene::model::{self, Content, Model};
+use crate::scene::{Mesh, Scene};
+use crate::tables::{Face, Map, NONE, ONE_SIDED, Paint, Vertex};
+
+/// A drawing's triangles while they are gathered.
+#[derive(Debug, Default)]
+pub(super) struct Sheet {
+    pub(super) vertices: Vec<Vertex>,
+    pub(super) faces: Vec<Face>,
+    pub(super) paints: Vec<Paint>,
+    pub(super) texels: Vec<u32>,
+}
+
+const BARE: Map = Map { first: NONE, width: 0, height: 0, levels: 0, scale: Vec2::ONE, shift: Vec2::ZERO };
+
+/// Columns and rows of a sphere's faces.
+const AROUND: u32 = 96;
+const DOWN: u32 = 48;
+
+impl Sheet {
+    /// The scene's materials and the decoding curve, and nothing painted with them yet.
+    pub(super) fn new(scene: &Scene) -> Self {
+        let paint = |m: &crate::scene::Material| Paint {
+            color: m.color * m.local,
+            exponent: m.exponent,
+            specular: Vec3::ONE,
+            bump: 1.0,
+            diffuse_map: BARE,
+            normal_map: BARE,
+            specular_map: BARE,
+            exponent_map: BARE,
+        };
+        Self {
+            paints: scene.materials.iter().map(paint).collect(),
+            texels: (0..=255).map(|byte| scene.film.transfer.decode(byte).to_bits()).collect(),
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn meshes(&mut self, scene: &Scene) {
+        for mesh in &scene.meshes {
+            let textures: Vec<Map> =
+                mesh.model.textures.iter().map(|t| self.texture(t, scene.film.transfer)).collect();
+            let first_paint = self.paints.len() as u32;
+            if mesh.material.is_none() {
+                self.paints.extend(mesh.model.materials.iter().map(|m| dress(m, &textures)));
+            }
+            self.mesh(mesh, first_paint);
+        }
+    }
+
+    fn mesh(&mut self, mesh: &Mesh, first_paint: u32) {
+        let Model { positions, normals, triangles, .. } = &*mesh.model;
+        let side = if mesh.one_sided { ONE_SIDED } else { 0 };
+        let mut known = HashMap::new();
+        for triangle in triangles {
+            let [a, b, c] = triangle.corners.map(|corner| {
+                *known.entry((corner.position, corner.uv, corner.normal)).or_insert_with(|| {
+                    let uv = mesh.model.uv(corner);
+                    let position = mesh.place(positions[corner.position as usize]);
+                    let normal = unit(mesh.turn(normals[corner.normal as usize]));
+                    self.vertices.push(Vertex { position, u: uv.x, normal, v: uv.y });
+                    self.vertices.len() as u32 - 1
+                })
+            });
+            let paint = mesh.material.map_or(first_paint + triangle.material, |m| m as u32);
+            self.faces.push(Face { a, b, c, paint: paint | side });
+        }
+    }
+
+    /// Every level of a picture, each texel the mean of four of the level before, in linear light.
+    fn texture(&mut self, texture: &model::Texture, transfer: Transfer) -> Map {
+        let transfer = if texture.content == Content::Color { transfer } else { Transfer::None };
+        let curve: Vec<f32> = (0..=255).map(|byte| transfer.decode(byte)).collect();
+        let (mut width, mut height) = (texture.width, texture.height);
+        let first = self.texels.len() as u32;
+        let mut level: Vec<[u8; 4]> = texture.texels.to_vec();
+        let mut levels = 1;
+        loop {
+            self.texels.extend(level.iter().map(|t| u32::from_le_bytes(*t)));
+            if width <= 1 && height <= 1 {
+                break;
+            }
+            let (wide, high) = ((width / 2).max(1), (height / 2).max(1));
+            let at = |x: u32, y: u32| level[(y.min(height - 1) * width + x.min(width - 1)) as usize];
+            let mean = |x: u32, y: u32| {
+                let four = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
+                std::array::from_fn(|i| {
+                    let sum: f32 = four.iter().map(|t| curve[t[i] as usize]).sum();
+                    transfer.encode(sum * 0.25)
+                })
+            };
+            let next = (0..high).flat_map(|y| (0..wide).map(move |x| (x, y))).map(|(x, y)| mean(2 * x, 2 * y));
+            level = next.collect();
+            (width, height) = (wide, high);
+            levels += 1;
+        }
+        Map { first, width: texture.width, height: texture.height, levels, ..BARE }
+    }
+
+    pub(super) fn spheres(&mut self, scene: &Scene) {
+        for sphere in &scene.spheres {
+            let first = self.vertices.len() as u32;
+            for j in 0..=DOWN {
+                for i in 0..=AROUND {
+                    let (u, v) = (i as f32 / AROUND as f32, 1.0 - j as f32 / DOWN as f32);
+                    // The last column is the first one to the bit, so that the seam is closed.
+                    let turn = (i % AROUND) as f32 / AROUND as f32 * std::f32::consts::TAU;
+                    let fall = j as f32 / DOWN as f32 * std::f32::consts::PI;
+                    let ring = if j == 0 || j == DOWN { 0.0 } else { fall.sin() };
+                    let normal = Vec3::new(ring * turn.cos(), fall.cos(), -ring * turn.sin());
+                    self.vertices.push(Vertex { position: sphere.center + normal * sphere.radius, u, normal, v });
+                }
+            }
+            let paint = sphere.material as u32;
+            for (i, j) in (0..DOWN).flat_map(|j| (0..AROUND).map(move |i| (i, j))) {
+                let a = first + j * (AROUND + 1) + i;
+                let below = a + AROUND + 1;
+                self.faces.push(Face { a, b: below, c: below + 1, paint });
+                self.faces.push(Face { a, b: below + 1, c: a + 1, paint });
+            }
+        }
+    }
+
+    pub(super) fn triangles(&mut self, scene: &Scene) {
+        for triangle in &scene.triangles {
+            let [p, q, r] = triangle.vertices;
+            let normal = unit((q - p).cross(r - p));
+            self.corners(&[p, q, r], normal, triangle.material);
+        }
+    }
+
+    /// Infinite planes reach as far as the far plane, around the point of them that is nearest to the eye.
+    pub(super) fn planes(&mut self, scene: &Scene) {
+        for plane in &scene.planes {
+            let eye = scene.camera.position;
+            let near = eye - plane.normal * plane.normal.dot(eye - plane.point);
+            let helper = if plane.normal.y.abs() < 0.9 { Vec3::Y } else { Vec3::X };
+            let right = unit(helper.cross(plane.normal)) * (scene.camera.far * 2.0);
+            let up = plane.normal.cross(right);
+            let square = [near - right - up, near + right - up, near + right + up, near - right + up];
+            self.corners(&square, plane.normal, plane.material);
+        }
+    }
+
+    fn corners(&mut self, positions: &[Vec3], normal: Vec3, material: usize) {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(positions.iter().map(|&position| Vertex { position, u: 0.0, normal, v: 0.0 }));
+        for i in 2..positions.len() as u32 {
+            self.faces.push(Face { a: first, b: first + i - 1, c: first + i, paint: material as u32 });
+        }
+    }
+}
+
+fn dress(m: &model::Material, textures: &[Map]) -> Paint {
+    let map = |map: Option<model::Map>| {
+        map.map_or(BARE, |m| Map { scale: m.scale, shift: m.offset, ..textures[m.texture as usize] })
+    };
+    Paint {
+        color: m.diffuse,
+        exponent: m.exponent,
+        specular: m.specular,
+        bump: m.normal_map.map_or(1.0, |m| m.strength),
+        diffuse_map: map(m.diffuse_map),
+        normal_map: map(m.normal_map),
+        specular_map: map(m.specular_map),
+        exponent_map: map(m.exponent_map),
+    }
+}

@@ -1,0 +1,74 @@
+//! a model with no scene file -> a scene that fits it: a camera before it, two lights, and a ground below
+
+use std::path::Path;
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use super::model::{Confined, Limits, Model, read_model};
+use super::{
+    Behavior, Camera, Error, FilmSettings, Filter, Light, Material, Mesh, Method, Plane, RasterSettings, Scene,
+    Show, Specular, TraceSettings,
+};
+use crate::film::Transfer;
+
+/// A model and what it takes to look at it.
+pub(super) fn alone(path: &Path) -> Result<Scene, Error> {
+    let failed = |why: String| Error::Read { path: path.to_owned(), why };
+    let (folder, name) = Confined::around(path).map_err(|e| failed(e.to_string()))?;
+    let model = read_model(&name, &folder, &Limits::default()).map_err(|e| failed(e.to_string()))?;
+    Ok(around(Arc::new(model)))
+}
+
+fn around(model: Arc<Model>) -> Scene {
+    let seen = model.triangles.iter().flat_map(|t| t.corners).map(|c| model.positions[c.position as usize]);
+    let (low, high) = seen.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    let center = (low + high) * 0.5;
+    let radius = ((high - low).length() * 0.5).max(1e-6);
+    let fov = 35.0_f32.to_radians();
+    let away = radius / (fov / 2.0).sin();
+    let direction = |x: f32, y: f32, z: f32| Vec3::new(x, y, z).normalize();
+    Scene {
+        camera: Camera {
+            position: center + direction(0.35, 0.25, 1.0) * away,
+            look_at: center,
+            up: Vec3::Y,
+            fov,
+            aspect: None,
+            near: (away - radius * 1.5).max(radius * 0.01),
+            far: away + radius * 30.0,
+        },
+        film: FilmSettings { size: [800, 800], transfer: Transfer::Srgb, background: Vec3::splat(0.6) },
+        method: Method::Raster,
+        trace: TraceSettings { samples: 16, depth: 6, specular: Specular::Phong, cutoff: 1.0 / 1024.0, seed: 0 },
+        raster: RasterSettings {
+            samples: 4,
+            shadow_size: 2048,
+            shadow: 0.3,
+            bias: 0.0005,
+            blur: 1,
+            ambient: Vec3::splat(0.02),
+            specular: Specular::Phong,
+            filter: Filter::Mipmap,
+            show: Show::Color,
+        },
+        materials: vec![Material {
+            name: "ground".to_owned(),
+            color: Vec3::splat(0.45),
+            local: 1.0,
+            reflect: 0.0,
+            refract: 0.0,
+            exponent: 1e4,
+            index: 1.5,
+            behavior: Behavior::Mirror,
+        }],
+        lights: vec![
+            Light::Directional { toward: direction(0.8, 1.2, 1.0), power: Vec3::splat(0.9) },
+            Light::Directional { toward: direction(-1.0, 0.5, 0.6), power: Vec3::splat(0.25) },
+        ],
+        spheres: Vec::new(),
+        planes: vec![Plane { point: Vec3::new(0.0, low.y, 0.0), normal: Vec3::Y, material: 0 }],
+        triangles: Vec::new(),
+        meshes: vec![Mesh::of(model)],
+    }
+}

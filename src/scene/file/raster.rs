@@ -1,0 +1,91 @@
+//! The parts of a scene file that are about drawing: `[raster]` and `[[object.mesh]]`.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::Specular;
+use crate::scene::value::{At, Blur, Color, Length, Position, Samples, ShadowSize, Weight};
+
+/// How triangles are drawn (spec part 1).
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Raster {
+    /// Samples a pixel, on an n x n grid: a square number. 4 unless given.
+    pub samples: At<Samples>,
+    /// Width and height of a light's shadow map, in texels; halved while all lights' together need more than 128
+    /// MiB. 2048 unless given.
+    pub shadow_size: ShadowSize,
+    /// What a light still counts for where it is shadowed. 0.3 unless given.
+    pub shadow: Weight,
+    /// How much deeper than its caster a point must lie to be shadowed, as a share of the light's depth, beside the
+    /// part that follows from the slope by itself. 0.0005 unless given.
+    pub bias: Weight,
+    /// Texels around a point's own that are asked for its shadow, in each direction: soft edges. 1 unless given.
+    pub blur: Blur,
+    /// Added to every color. Black unless given.
+    pub ambient: Color,
+    /// The specular term: "phong" or "blinn". "phong" unless given.
+    pub specular: Specular,
+    /// How textures are read. "mipmap" unless given.
+    pub filter: Filter,
+}
+
+impl Default for Raster {
+    fn default() -> Self {
+        Self {
+            samples: At::nowhere(Samples(4)),
+            shadow_size: ShadowSize(2048),
+            shadow: Weight(0.3),
+            bias: Weight(0.0005),
+            blur: Blur(1),
+            ambient: Color::BLACK,
+            specular: Specular::Phong,
+            filter: Filter::Mipmap,
+        }
+    }
+}
+
+/// How textures are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, serde::Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Filter {
+    /// The nearest texel: the spec's figures.
+    Nearest,
+    /// Between the four nearest texels.
+    Bilinear,
+    /// Between the four nearest texels of the two levels that are nearest in size.
+    #[default]
+    Mipmap,
+}
+
+/// A model from an OBJ file, with the materials and textures that it names; for the rasterizer.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mesh {
+    /// The OBJ file, relative to the scene's folder and inside it.
+    pub path: At<String>,
+    /// Where its origin stands, in world space. [0, 0, 0] unless given.
+    #[serde(default = "origin")]
+    pub translate: Position,
+    /// Degrees that it is turned about x, then about y, then about z. [0, 0, 0] unless given.
+    #[serde(default = "origin")]
+    pub rotate: Position,
+    /// How large it is. 1 unless given.
+    #[serde(default = "one")]
+    pub scale: Length,
+    /// The name of a material that covers it instead of its own.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub material: Option<At<String>>,
+    /// Whether its faces are seen from their front alone. false unless given.
+    #[serde(default)]
+    pub one_sided: bool,
+}
+
+fn origin() -> Position {
+    Position(glam::Vec3::ZERO)
+}
+
+fn one() -> Length {
+    Length(1.0)
+}

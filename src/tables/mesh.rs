@@ -1,0 +1,34 @@
+//! Twin of `wgsl/tables/mesh.wgsl`.
+
+use glam::Vec3;
+
+/// A corner that faces share, in world space.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Vertex {
+    /// In world space.
+    pub position: Vec3,
+    /// Texture coordinate to the right.
+    pub u: f32,
+    /// Of length one.
+    pub normal: Vec3,
+    /// Texture coordinate up.
+    pub v: f32,
+}
+
+/// A triangle; its number is its id.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Face {
+    /// First vertex; counterclockwise seen from the front.
+    pub a: u32,
+    /// Second vertex.
+    pub b: u32,
+    /// Third vertex.
+    pub c: u32,
+    /// Which of the paints, and [`ONE_SIDED`].
+    pub paint: u32,
+}
+
+/// The face is not there when it is seen from its back.
+pub const ONE_SIDED: u32 = 0x8000_0000;

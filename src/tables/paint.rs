@@ -1,0 +1,110 @@
+//! Twin of `wgsl/tables/paint.wgsl`.
+
+use glam::{Vec2, Vec3};
+
+/// A picture laid over faces: texel at `uv * scale + shift`.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Map {
+    /// Its first texel; finest level first, each row by row from the top. [`NONE`](super::NONE): no picture.
+    pub first: u32,
+    /// Texels in a row of the finest level.
+    pub width: u32,
+    /// Rows of the finest level.
+    pub height: u32,
+    /// How many levels, each half as wide and high as the one before.
+    pub levels: u32,
+    /// Times the texture coordinates.
+    pub scale: Vec2,
+    /// Added to them.
+    pub shift: Vec2,
+}
+
+/// What a face is made of.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Paint {
+    /// Times the diffuse map.
+    pub color: Vec3,
+    /// The specular exponent; times the exponent map, if there is one.
+    pub exponent: f32,
+    /// Weight of the specular term; times the specular map.
+    pub specular: Vec3,
+    /// Times x and y of the normal map.
+    pub bump: f32,
+    /// Colors, decoded by the curve at the head of the texels.
+    pub diffuse_map: Map,
+    /// Normals in tangent space.
+    pub normal_map: Map,
+    /// Weights.
+    pub specular_map: Map,
+    /// Shares of the exponent, in red.
+    pub exponent_map: Map,
+}
+
+/// A light and the lenses that it sees the scene through.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Lamp {
+    /// A point light's position, or the unit direction towards a directional light.
+    pub place: Vec3,
+    /// [`POINT`](super::POINT) or [`DIRECTIONAL`](super::DIRECTIONAL).
+    pub kind: u32,
+    /// Color times intensity.
+    pub power: Vec3,
+    /// The first of its lenses: one, or six for a point light (+x -x +y -y +z -z). [`NONE`](super::NONE): no shadow.
+    pub lens: u32,
+}
+
+/// How pixels are colored.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Canvas {
+    /// The eye in world space.
+    pub eye: Vec3,
+    /// How many there are.
+    pub lamps: u32,
+    /// What is seen where nothing is.
+    pub background: Vec3,
+    /// [`PHONG`](super::PHONG) or [`BLINN`](super::BLINN).
+    pub specular: u32,
+    /// Added to every color.
+    pub ambient: Vec3,
+    /// What a shadowed light counts for.
+    pub shade: f32,
+    /// [`NEAREST`], [`BILINEAR`] or [`MIPMAP`].
+    pub filtering: u32,
+    /// Texels around a point's own that are asked for its shadow, in each direction.
+    pub blur: u32,
+    /// What is shown: [`SHOW_COLOR`] or one of its ingredients.
+    pub show: u32,
+    /// Distance from the eye that is shown as middle gray.
+    pub reach: f32,
+}
+
+/// The nearest texel.
+pub const NEAREST: u32 = 0;
+/// The four nearest texels.
+pub const BILINEAR: u32 = 1;
+/// The four nearest texels of the two levels nearest in size.
+pub const MIPMAP: u32 = 2;
+/// The picture itself.
+pub const SHOW_COLOR: u32 = 0;
+/// Near is bright.
+pub const SHOW_DEPTH: u32 = 1;
+/// The share of the lights that reach a point.
+pub const SHOW_SHADOW: u32 = 2;
+/// The shading normal as a color.
+pub const SHOW_NORMAL: u32 = 3;
+/// Texture coordinates in red and green.
+pub const SHOW_UV: u32 = 4;
+/// The surface's own color.
+pub const SHOW_ALBEDO: u32 = 5;
+/// The ambient term alone.
+pub const SHOW_AMBIENT: u32 = 6;
+/// The diffuse term alone.
+pub const SHOW_DIFFUSE: u32 = 7;
+/// The specular term alone.
+pub const SHOW_SPECULAR: u32 = 8;
+/// Every face another color.
+pub const SHOW_ID: u32 = 9;

@@ -1,0 +1,50 @@
+//! Twin of `wgsl/tables/piece.wgsl`.
+
+use glam::IVec3;
+
+/// A vertex on the film, in fixed point.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Corner {
+    /// x to the right and y down in 1/256 pixel, z from 0 to [`DEEP`](super::DEEP); zero where `code` is not.
+    pub at: IVec3,
+    /// The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
+    pub code: u32,
+}
+
+/// A triangle on the film, with an area above zero, that is drawn tile by tile.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Piece {
+    /// First corner, as in [`Corner::at`].
+    pub a: IVec3,
+    /// The face that it is a piece of.
+    pub id: u32,
+    /// Second corner.
+    pub b: IVec3,
+    /// Zero: room that WGSL asks for.
+    pub pad_b: u32,
+    /// Third corner.
+    pub c: IVec3,
+    /// Zero: room that WGSL asks for.
+    pub pad_c: u32,
+}
+
+/// What the stages of a lens have counted.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Tally {
+    /// Pieces, those included that found no room.
+    pub pieces: u32,
+    /// Entries of all tiles' lists together.
+    pub entries: u32,
+    /// Entries of the longest list.
+    pub longest: u32,
+    /// Workgroups that ran to their end.
+    pub groups: u32,
+}
+
+/// Planes that a triangle is clipped by.
+pub const PLANES: u32 = 6;
+/// Corners of a triangle that all of them have clipped.
+pub const MOST_CORNERS: u32 = 9;

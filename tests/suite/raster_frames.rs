@@ -1,0 +1,98 @@
+//! Whole drawn frames: GPU against CPU in every bit, and the two methods against each other.
+
+use twinlight::film::compare::{Standard, compare};
+use twinlight::gpu::wgsl::Sources;
+use twinlight::math::Vec3;
+use twinlight::prepare::draw;
+use twinlight::scene::{Filter, Method, Show, Specular};
+use twinlight::tables::{NONE, ONE_SIDED};
+
+use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
+
+#[test]
+fn drawn_random_scenes_are_the_same_to_the_bit() {
+    for number in 0..30 {
+        let mut dice = Dice(number, 3);
+        let mut scene = random_scene(number);
+        scene.method = Method::Raster;
+        scene.raster.shadow_size = 128;
+        scene.raster.samples = [1, 4][dice.below(2)];
+        scene.raster.blur = dice.below(3) as u32;
+        scene.raster.specular = [Specular::Phong, Specular::Blinn][dice.below(2)];
+        let gpu = scene_on_gpu(&Sources::default(), &scene).expect("a film");
+        let comparison = compare(&scene_on_cpu(&scene), &gpu, Standard::Exact).expect("one size");
+        assert!(comparison.passes(), "random scene {number}: {comparison:#?}");
+    }
+}
+
+#[test]
+fn every_view_and_filter_is_the_same_to_the_bit() {
+    let mut scene = small(&root().join("scenes/bust.toml"), [90, 90], 1);
+    let shows = [
+        Show::Color,
+        Show::Depth,
+        Show::Shadow,
+        Show::Normal,
+        Show::Uv,
+        Show::Albedo,
+        Show::Ambient,
+        Show::Diffuse,
+        Show::Specular,
+        Show::Id,
+    ];
+    let filters = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap];
+    for (i, show) in shows.into_iter().enumerate() {
+        scene.raster.show = show;
+        scene.raster.filter = filters[i % 3];
+        let gpu = scene_on_gpu(&Sources::default(), &scene).expect("a film");
+        let comparison = compare(&scene_on_cpu(&scene), &gpu, Standard::Exact).expect("one size");
+        assert!(comparison.passes(), "{show:?}: {comparison:#?}");
+    }
+}
+
+/// The ray tracer's first hits are what the rasterizer draws, but for the pixels at edges.
+#[test]
+fn the_methods_see_the_same() {
+    let mut scene = random_scene(3);
+    scene.resize([160, 120]).expect("it fits");
+    scene.planes.clear();
+    scene.spheres.clear();
+    scene.trace.samples = 1;
+    scene.raster.samples = 1;
+    let drawn = scene_on_cpu(&twinlight::scene::Scene { method: Method::Raster, ..scene.clone() });
+    let traced = on_cpu(&tables_of(&scene));
+    // The tracer's first sample lies at the pixel's corner, half a pixel off: an edge may lie between.
+    let near = |p: u32, id: u32| {
+        let (x, y) = ((p % 160) as i32, (p / 160) as i32);
+        let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j)));
+        let mut inside = around.filter(|(x, y)| (0..160).contains(x) && (0..120).contains(y));
+        inside.any(|(x, y)| traced.id((y * 160 + x) as u32) == id)
+    };
+    let differ = (0..drawn.pixels()).filter(|&p| !near(p, drawn.id(p))).count();
+    let seen = (0..drawn.pixels()).filter(|&p| drawn.id(p) != NONE).count();
+    assert!(seen > 1000, "an empty picture proves nothing: {seen}");
+    assert!(differ * 100 < seen, "{differ} of {seen}");
+}
+
+/// Eq. 1.1 - 1.5 on paper: half way down the film between depths 1 and 3 lies a quarter of the way along.
+#[test]
+fn perspective_weights_are_the_papers() {
+    use twinlight::cpu::raster::{snap::to_clip, weights::weights};
+    let scene = small(&root().join("scenes/bust.toml"), [64, 64], 1);
+    let mut lens = draw(&scene).eyes[0];
+    lens.x = glam::Vec4::X;
+    lens.y = glam::Vec4::Y;
+    lens.w = -glam::Vec4::Z;
+    let corners = [Vec3::new(-1.0, 0.0, -1.0), Vec3::new(3.0, 0.0, -3.0), Vec3::new(0.0, 5.0, -1.0)];
+    let found = weights(&lens, corners.map(|p| to_clip(&lens, p)), glam::Vec2::new(32.0, 32.0));
+    assert!((found - Vec3::new(0.75, 0.25, 0.0)).length() < 1e-6, "{found}");
+}
+
+#[test]
+fn one_sided_models_are_marked() {
+    let mut scene = small(&root().join("scenes/bust.toml"), [16, 16], 1);
+    assert!(draw(&scene).faces.iter().all(|face| face.paint & ONE_SIDED == 0));
+    scene.meshes.truncate(1);
+    scene.meshes[0].one_sided = true;
+    assert!(draw(&scene).faces.iter().all(|face| face.paint & ONE_SIDED != 0));
+}

@@ -1,0 +1,146 @@
+// ids -> each visible pixel's color, once
+#import "tables/slice.wgsl"
+#import "raster/weights.wgsl"
+#import "raster/texture.wgsl"
+#import "raster/shadow.wgsl"
+#import "shade/phong.wgsl"
+
+@group(0) @binding(0) var<uniform> lens: Lens;
+@group(0) @binding(1) var<uniform> canvas: Canvas;
+@group(0) @binding(2) var<uniform> lenses: array<Lens, 32>;
+@group(0) @binding(3) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(4) var<storage, read> faces: array<Face>;
+@group(0) @binding(5) var<storage, read> paints: array<Paint>;
+@group(0) @binding(6) var<storage, read> lamps: array<Lamp>;
+@group(0) @binding(7) var<storage, read> texels: array<u32>;
+@group(0) @binding(8) var<storage, read> shadows: array<u32>;
+@group(0) @binding(9) var<storage, read> ids: array<u32>;
+// Red, green, blue and the number of samples in the sum: the proof that the pixel was colored.
+@group(0) @binding(10) var<storage, read_write> sums: array<vec4f>;
+
+// Products fenced one by one, summed in one order.
+fn sum_by(w: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
+    return vec3f(
+        (hold(a.x * w.x) + hold(b.x * w.y)) + hold(c.x * w.z),
+        (hold(a.y * w.x) + hold(b.y * w.y)) + hold(c.y * w.z),
+        (hold(a.z * w.x) + hold(b.z * w.y)) + hold(c.z * w.z),
+    );
+}
+
+fn uv_by(w: vec3f, a: Vertex, b: Vertex, c: Vertex) -> vec2f {
+    return sum_by(w, vec3f(a.u, a.v, 0.0), vec3f(b.u, b.v, 0.0), vec3f(c.u, c.v, 0.0)).xy;
+}
+
+// The normal of a map in world space: T and B are what an edge's u and v stand for (spec, "Get the normal for a
+// fragment"), N is interpolated.
+fn bumped(n: vec3f, a: Vertex, b: Vertex, c: Vertex, tangent: vec3f) -> vec3f {
+    let e = b.position - a.position;
+    let f = c.position - a.position;
+    let du = vec2f(b.u - a.u, c.u - a.u);
+    let dv = vec2f(b.v - a.v, c.v - a.v);
+    let turn = hold(du.x * dv.y) - hold(du.y * dv.x);
+    if (turn == 0.0) {
+        return n;
+    }
+    let side = select(1.0, -1.0, turn < 0.0);
+    let along_u = sum_by(vec3f(dv.y * side, -(dv.x * side), 0.0), e, f, vec3f(0.0));
+    let along_v = sum_by(vec3f(-(du.y * side), du.x * side, 0.0), e, f, vec3f(0.0));
+    if (dot(along_u, along_u) == 0.0 || dot(along_v, along_v) == 0.0) {
+        return n;
+    }
+    return unit(sum_by(tangent, unit(along_u), unit(along_v), n));
+}
+
+// Another color for every number.
+fn color_of(id: u32) -> vec3f {
+    let bits = id * 2654435769u;
+    return vec3f(vec3u(bits >> 24u, (bits >> 16u) & 255u, (bits >> 8u) & 255u)) / 255.0 * 0.75 + 0.25;
+}
+
+fn color_at(pixel: u32, id: u32) -> vec3f {
+    let at = vec2f(f32(pixel % lens.width), f32(pixel / lens.width)) + 0.5;
+    let face = faces[id];
+    let paint = paints[face.paint & ~ONE_SIDED];
+    let a = vertices[face.a];
+    let b = vertices[face.b];
+    let c = vertices[face.c];
+    let ca = to_clip(a.position);
+    let cb = to_clip(b.position);
+    let cc = to_clip(c.position);
+    let w = weights_inside(ca, cb, cc, at);
+    let p = sum_by(w, a.position, b.position, c.position);
+    let uv = uv_by(w, a, b, c);
+    let right = uv_by(weights(ca, cb, cc, at + vec2f(1.0, 0.0)), a, b, c);
+    let down = uv_by(weights(ca, cb, cc, at + vec2f(0.0, 1.0)), a, b, c);
+
+    var albedo = paint.color;
+    if (paint.diffuse_map.first != NONE) {
+        albedo *= sample_map(paint.diffuse_map, uv, right, down, true);
+    }
+    var weight = paint.specular;
+    if (paint.specular_map.first != NONE) {
+        weight *= sample_map(paint.specular_map, uv, right, down, false);
+    }
+    var exponent = paint.exponent;
+    if (paint.exponent_map.first != NONE) {
+        exponent *= sample_map(paint.exponent_map, uv, right, down, false).x;
+    }
+    var n = unit(sum_by(w, a.normal, b.normal, c.normal));
+    if (paint.normal_map.first != NONE) {
+        let map = sample_map(paint.normal_map, uv, right, down, false) * 2.0 - 1.0;
+        n = bumped(n, a, b, c, vec3f(map.xy * paint.bump, map.z));
+    }
+    let v = unit(canvas.eye - p);
+    // A face that is seen from its back shows its back.
+    if (dot(cross(b.position - a.position, c.position - a.position), v) < 0.0) {
+        n = -n;
+    }
+
+    var diffuse = vec3f(0.0);
+    var specular = vec3f(0.0);
+    var open = 0.0;
+    for (var i = 0u; i < canvas.lamps; i++) {
+        let lamp = lamps[i];
+        var l = lamp.place;
+        if (lamp.kind == POINT) {
+            l = unit(lamp.place - p);
+        }
+        let share = reaches(lamp, p);
+        open += share / f32(canvas.lamps);
+        if (dot(n, l) > 0.0) {
+            let power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
+            let terms = phong(n, l, v, exponent, canvas.specular);
+            diffuse += power * terms.x;
+            specular += weight * power * terms.y;
+        }
+    }
+    switch (canvas.show) {
+        case SHOW_DEPTH: { return vec3f(canvas.reach / (canvas.reach + sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x)); }
+        case SHOW_SHADOW: { return vec3f(open); }
+        case SHOW_NORMAL: { return n * 0.5 + 0.5; }
+        case SHOW_UV: { return vec3f(uv - floor(uv), 0.0); }
+        case SHOW_ALBEDO: { return albedo; }
+        case SHOW_AMBIENT: { return canvas.ambient; }
+        case SHOW_DIFFUSE: { return diffuse * albedo; }
+        case SHOW_SPECULAR: { return specular * albedo; }
+        case SHOW_ID: { return color_of(id); }
+        default: { return (diffuse + specular) * albedo + canvas.ambient; }
+    }
+}
+
+@compute @workgroup_size(64)
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    if (i < lens.width * lens.height) {
+        let id = ids[i];
+        var color = canvas.background;
+        if (id != NONE) {
+            color = color_at(i, id);
+        }
+        sums[i] += vec4f(color, 1.0);
+    }
+}

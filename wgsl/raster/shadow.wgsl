@@ -1,0 +1,52 @@
+// a point and a light -> the share of the light that reaches it
+#import "tables/paint.wgsl"
+#import "tables/light.wgsl"
+#import "tables/settings.wgsl"
+#import "raster/snap.wgsl"
+
+// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
+fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
+    if (lamp.kind != POINT) {
+        return lamp.lens;
+    }
+    let way = p - lamp.place;
+    let size = abs(way);
+    if (size.x >= size.y && size.x >= size.z) {
+        return lamp.lens + select(0u, 1u, way.x < 0.0);
+    }
+    if (size.y >= size.z) {
+        return lamp.lens + select(2u, 3u, way.y < 0.0);
+    }
+    return lamp.lens + select(4u, 5u, way.z < 0.0);
+}
+
+// Depths are compared as they were drawn, in integers; the bias is in the drawn ones.
+fn reaches(lamp: Lamp, p: vec3f) -> f32 {
+    if (lamp.lens == NONE) {
+        return 1.0;
+    }
+    let by = lens_of(lamp, p);
+    let x = along(lenses[by].x, p);
+    let y = along(lenses[by].y, p);
+    let z = along(lenses[by].z, p);
+    let w = along(lenses[by].w, p);
+    if (!(abs(x) <= w && abs(y) <= w && z >= 0.0 && z <= w)) {
+        return 1.0;
+    }
+    let width = i32(lenses[by].width);
+    let height = i32(lenses[by].height);
+    let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
+    let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
+    let depth = u32(hold(z / w) * f32(DEEP));
+    let blur = i32(canvas.blur);
+    var open = 0;
+    for (var j = -blur; j <= blur; j++) {
+        for (var i = -blur; i <= blur; i++) {
+            let at = clamp(row + j, 0, height - 1) * width + clamp(column + i, 0, width - 1);
+            if (depth <= shadows[lenses[by].first + u32(at)]) {
+                open++;
+            }
+        }
+    }
+    return f32(open) / f32((2 * blur + 1) * (2 * blur + 1));
+}

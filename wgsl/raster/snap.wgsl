@@ -1,0 +1,43 @@
+// world space -> clip space -> fixed point on the film (spec 1.2.3)
+#import "tables/lens.wgsl"
+#import "tables/piece.wgsl"
+#import "raster/hold.wgsl"
+
+fn along(row: vec4f, p: vec3f) -> f32 {
+    return ((hold(row.x * p.x) + hold(row.y * p.y)) + hold(row.z * p.z)) + row.w;
+}
+
+// World2Camera and Projection.
+fn to_clip(p: vec3f) -> vec4f {
+    return vec4f(along(lens.x, p), along(lens.y, p), along(lens.z, p), along(lens.w, p));
+}
+
+// How far a corner lies on the inner side of a plane: near, far, left, right, bottom, top.
+fn height(plane: u32, c: vec4f) -> f32 {
+    switch (plane) {
+        case 0u: { return c.z; }
+        case 1u: { return c.w - c.z; }
+        case 2u: { return hold(lens.guard_x * c.w) + c.x; }
+        case 3u: { return hold(lens.guard_x * c.w) - c.x; }
+        case 4u: { return hold(lens.guard_y * c.w) + c.y; }
+        default: { return hold(lens.guard_y * c.w) - c.y; }
+    }
+}
+
+// The planes that a corner lies beyond, one bit each.
+fn outcode(c: vec4f) -> u32 {
+    var code = 0u;
+    for (var plane = 0u; plane < PLANES; plane++) {
+        code |= select(1u << plane, 0u, height(plane, c) >= 0.0);
+    }
+    return code;
+}
+
+// Homogeneous division and Clip2Screen, in 1/256 pixel with y down; depth as a share of DEEP.
+fn snap(c: vec4f) -> vec3i {
+    let half = vec2f(f32(lens.width * 128u), f32(lens.height * 128u));
+    let x = half.x + hold(half.x * hold(c.x / c.w));
+    let y = half.y - hold(half.y * hold(c.y / c.w));
+    let z = clamp(hold(c.z / c.w), 0.0, 1.0) * f32(DEEP);
+    return vec3i(i32(floor(x + 0.5)), i32(floor(y + 0.5)), i32(z));
+}

@@ -1,0 +1,47 @@
+// One view of the scene, the eye's or a light's, and the image that it is drawn onto.
+struct Lens {
+    // World space to clip space, row by row (spec 1.2.3); z is 0 at the near plane, w at the far one.
+    x: vec4f,
+    y: vec4f,
+    z: vec4f,
+    w: vec4f,
+    width: u32,
+    height: u32,
+    // The first word of its depths in their buffer.
+    first: u32,
+    // Tiles in a row.
+    columns: u32,
+    vertices: u32,
+    faces: u32,
+    // 1 if one-sided faces are seen from their front alone.
+    cull: u32,
+    // Zero, which no compiler can know: what floats are fenced with.
+    zero: u32,
+    // Added to every depth.
+    bias: u32,
+    // Added to every depth for each unit that it climbs from pixel to pixel, in 1/256.
+    slope: u32,
+    // How far x and y may be from 0, in w, before a corner is out of fixed-point reach.
+    guard_x: f32,
+    guard_y: f32,
+    // The largest bounding box, in pixels a side, that one invocation draws alone.
+    small: u32,
+    // Which portion of a tile's list is drawn: round * MOST_ENTRIES and on.
+    round: u32,
+    // Pieces that there are, once they are counted.
+    pieces: u32,
+    pad: u32,
+}
+
+// The depth of the far plane; the near plane's is 0.
+const DEEP: u32 = 1073741824u;
+// Deeper than anything: nothing is drawn here.
+const NO_DEPTH: u32 = 0xffffffffu;
+// Pixels along the side of a tile.
+const TILE: u32 = 16u;
+// Entries of a tile's list that one dispatch draws.
+const MOST_ENTRIES: u32 = 4096u;
+// Lenses of lights that a scene has room for.
+const MOST_LENSES: u32 = 32u;
+// A depth that climbs faster from pixel to pixel is not biased any more.
+const STEEPEST: u32 = 16777216u;

@@ -1,0 +1,73 @@
+// A picture laid over faces: texel at uv * scale + shift.
+struct Map {
+    // Its first texel; finest level first, each row by row from the top. NONE: no picture.
+    first: u32,
+    width: u32,
+    height: u32,
+    // How many levels, each half as wide and high as the one before.
+    levels: u32,
+    scale: vec2f,
+    shift: vec2f,
+}
+
+// What a face is made of.
+struct Paint {
+    // Times the diffuse map.
+    color: vec3f,
+    // Times the exponent map, if there is one.
+    exponent: f32,
+    // Times the specular map.
+    specular: vec3f,
+    // Times x and y of the normal map.
+    bump: f32,
+    // Colors, decoded by the curve at the head of the texels.
+    diffuse_map: Map,
+    normal_map: Map,
+    specular_map: Map,
+    exponent_map: Map,
+}
+
+// A light and the lenses that it sees the scene through.
+struct Lamp {
+    // A point light's position, or the unit direction towards a directional light.
+    place: vec3f,
+    // POINT or DIRECTIONAL.
+    kind: u32,
+    power: vec3f,
+    // The first of its lenses: one, or six for a point light (+x -x +y -y +z -z). NONE: no shadow.
+    lens: u32,
+}
+
+// How pixels are colored.
+struct Canvas {
+    eye: vec3f,
+    lamps: u32,
+    background: vec3f,
+    // PHONG or BLINN.
+    specular: u32,
+    ambient: vec3f,
+    // What a shadowed light counts for.
+    shade: f32,
+    // NEAREST, BILINEAR or MIPMAP.
+    filtering: u32,
+    // Texels around a point's own that are asked for its shadow, in each direction.
+    blur: u32,
+    // What is shown: SHOW_COLOR or one of its ingredients.
+    show: u32,
+    // Distance from the eye that is shown as middle gray.
+    reach: f32,
+}
+
+const NEAREST: u32 = 0u;
+const BILINEAR: u32 = 1u;
+const MIPMAP: u32 = 2u;
+const SHOW_COLOR: u32 = 0u;
+const SHOW_DEPTH: u32 = 1u;
+const SHOW_SHADOW: u32 = 2u;
+const SHOW_NORMAL: u32 = 3u;
+const SHOW_UV: u32 = 4u;
+const SHOW_ALBEDO: u32 = 5u;
+const SHOW_AMBIENT: u32 = 6u;
+const SHOW_DIFFUSE: u32 = 7u;
+const SHOW_SPECULAR: u32 = 8u;
+const SHOW_ID: u32 = 9u;
