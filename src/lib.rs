@@ -4,13 +4,15 @@
 //! # One picture
 //!
 //! ```text
-//! scene.toml -> Scene -> Tables -> [cast -> follow -> gather] x rounds -> Film -> picture
-//!    scene      scene    prepare               trace                      film    film
+//!           scene.toml -> Scene -> Tables
+//! traced    [cast -> follow -> gather] x rounds                                                 -> Film -> picture
+//! drawn     each light:  [project -> split -> count -> scan -> fill -> cover] -> shadow maps
+//!           each sample: [project -> split -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
 //! ```
 //!
 //! A frame is written **once**, as a trait with one method a stage and a function over it ([`trace::Trace`],
-//! [`trace::frame`]). [`cpu`] and [`gpu`] implement the trait and do not know each other. A CPU stage's arguments are
-//! the kernel's `read` bindings; its results are the `read_write` ones.
+//! [`raster::Raster`], and `frame` beside each). [`cpu`] and [`gpu`] implement the trait and do not know each other. A
+//! CPU stage's arguments are the kernel's `read` bindings; its results are the `read_write` ones.
 //!
 //! # One stage, one name
 //!
@@ -26,7 +28,7 @@
 //! 6  bin                   people
 //! 5  render                picks method and backend; the only place that knows both
 //! 4  cpu | gpu             how a stage is done; strangers to each other
-//! 3  trace                 what a frame is: the trait, the order of stages
+//! 3  raster | trace        what a frame is: the trait, the order of stages
 //! 2  prepare               Scene -> Tables
 //! 1  scene, tables, film   nouns
 //! 0  math                  numbers
@@ -38,6 +40,10 @@
 //! these alone ([`math`]), in one order, with the same integer-hash random numbers, and the tests ask for **no
 //! differing bit** between them, stage by stage and picture by picture. On other adapters the table
 //! [`film::compare::TOLERANCES`] says how much may differ and why.
+//!
+//! The rasterizer decides in integers: corners are snapped to 1/256 pixel, coverage and depth are integer planes, and
+//! the least (depth, id) wins. A minimum does not mind who comes first, so no order of work and no division of it can
+//! show in the picture ([`raster`]).
 //!
 //! # What the GPU is not trusted with
 //!

@@ -1,4 +1,4 @@
-//! Nothing in; `scenes/meshes/{bust,ground}.*` and `scenes/textures/{bust,ground}_*.png` out, under the folder
+//! Nothing in; `scenes/meshes/{bust,ground}.*` and `scenes/meshes/textures/*.png` out, under the folder
 //! named on the command line (default: the current one). The same bytes on every run.
 //!
 //! shape -> mesh -> simplify -> unwrap -> bake -> files
@@ -38,7 +38,7 @@ fn main() -> Outcome {
     let root = std::env::args().nth(1).unwrap_or_else(|| ".".into());
     let root = Path::new(&root).join("scenes");
     std::fs::create_dir_all(root.join("meshes"))?;
-    std::fs::create_dir_all(root.join("textures"))?;
+    std::fs::create_dir_all(root.join("meshes/textures"))?;
     bust(&root)?;
     ground::write(&root)
 }
@@ -61,7 +61,7 @@ fn bust(root: &Path) -> Outcome {
     let maps = bake::bake(&model, &bust, SIZE, GUTTER);
     say("baked");
     std::fs::write(root.join("meshes/bust.obj"), model.obj("bust"))?;
-    std::fs::write(root.join("meshes/bust.mtl"), mtl("bust", 40.0))?;
+    std::fs::write(root.join("meshes/bust.mtl"), mtl("bust", 255.0))?;
     let colour = maps.colour.as_flattened();
     png(root, "bust_diffuse", colour, maps.size, ExtendedColorType::Rgb8)?;
     png(root, "bust_normal", maps.normal.as_flattened(), maps.size, ExtendedColorType::Rgb8)?;
@@ -82,12 +82,8 @@ fn worth(p: Vec3) -> f32 {
 fn mtl(name: &str, shine: f32) -> String {
     format!(
         "# Made by scenes/make; do not edit.\nnewmtl {name}\nKd 1 1 1\nKs 1 1 1\nNs {shine}\n\
-         map_Kd ../textures/{name}_diffuse.png\nnorm ../textures/{name}_normal.png\n"
-    ) + &if name == "bust" {
-        format!("map_Ks ../textures/{name}_specular.png\nmap_Ns ../textures/{name}_specular.png\n")
-    } else {
-        String::new()
-    }
+         map_Kd textures/{name}_diffuse.png\nnorm textures/{name}_normal.png\n"
+    ) + &if name == "bust" { format!("map_Ns textures/{name}_specular.png\n") } else { String::new() }
 }
 
 fn png(root: &Path, name: &str, bytes: &[u8], size: usize, kind: ExtendedColorType) -> Outcome {
@@ -102,6 +98,6 @@ fn png(root: &Path, name: &str, bytes: &[u8], size: usize, kind: ExtendedColorTy
             smallest = out;
         }
     }
-    std::fs::write(root.join(format!("textures/{name}.png")), smallest)?;
+    std::fs::write(root.join(format!("meshes/textures/{name}.png")), smallest)?;
     Ok(())
 }
