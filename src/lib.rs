@@ -6,10 +6,13 @@
 //! ```text
 //! scene.toml -> Scene -> Tables -> [cast -> follow -> gather] x rounds -> Film -> picture
 //!    scene      scene    prepare               trace                      film    film
+//! scene.toml -> Scene -> Drawing -> [project -> split -> count -> scan -> fill -> cover] for each light
+//!                                -> [the same -> mark -> shade] for each sample -> Film -> picture
+//!                        prepare                  raster
 //! ```
 //!
 //! A frame is written **once**, as a trait with one method a stage and a function over it ([`trace::Trace`],
-//! [`trace::frame`]). [`cpu`] and [`gpu`] implement the trait and do not know each other. A CPU stage's arguments are
+//! [`trace::frame`]; [`raster::Raster`], [`raster::frame`]). [`cpu`] and [`gpu`] implement the trait and do not know each other. A CPU stage's arguments are
 //! the kernel's `read` bindings; its results are the `read_write` ones.
 //!
 //! # One stage, one name
@@ -26,8 +29,8 @@
 //! 6  bin                   people
 //! 5  render                picks method and backend; the only place that knows both
 //! 4  cpu | gpu             how a stage is done; strangers to each other
-//! 3  trace                 what a frame is: the trait, the order of stages
-//! 2  prepare               Scene -> Tables
+//! 3  trace | raster        what a frame is: the traits, the order of stages
+//! 2  prepare               Scene -> Tables or Drawing
 //! 1  scene, tables, film   nouns
 //! 0  math                  numbers
 //! ```
