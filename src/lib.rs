@@ -4,7 +4,7 @@
 //! # One picture
 //!
 //! ```text
-//!           scene.toml -> Scene -> Tables
+//!           scene.toml -> Scene -> Tables, or Drawing
 //! traced    [cast -> follow -> gather] x rounds                                                 -> Film -> picture
 //! drawn     each light:  [project -> split -> count -> scan -> fill -> cover] -> shadow maps
 //!           each sample: [project -> split -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
@@ -29,7 +29,7 @@
 //! 5  render                picks method and backend; the only place that knows both
 //! 4  cpu | gpu             how a stage is done; strangers to each other
 //! 3  raster | trace        what a frame is: the trait, the order of stages
-//! 2  prepare               Scene -> Tables
+//! 2  prepare               Scene -> Tables or Drawing
 //! 1  scene, tables, film   nouns
 //! 0  math                  numbers
 //! ```

@@ -15,7 +15,16 @@ use crate::film::Transfer;
 /// A model and what it takes to look at it.
 pub(super) fn alone(path: &Path) -> Result<Scene, Error> {
     let failed = |why: String| Error::Read { path: path.to_owned(), why };
-    let (folder, name) = Confined::around(path).map_err(|e| failed(e.to_string()))?;
+    // Pictures often lie in a folder beside the model's own: `../textures/wood.png`.
+    let whole = path.canonicalize().map_err(|e| failed(e.to_string()))?;
+    let (Some(name), Some(home)) = (whole.file_name(), whole.parent()) else {
+        return Err(failed("it is not a file".to_owned()));
+    };
+    let (root, name) = match (home.parent(), home.file_name()) {
+        (Some(around), Some(home)) => (around, Path::new(home).join(name)),
+        _ => (home, name.into()),
+    };
+    let folder = Confined::new(root).map_err(|e| failed(e.to_string()))?;
     let model = read_model(&name, &folder, &Limits::default()).map_err(|e| failed(e.to_string()))?;
     Ok(around(Arc::new(model)))
 }

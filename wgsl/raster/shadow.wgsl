@@ -30,14 +30,15 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let y = along(lenses[by].y, p);
     let z = along(lenses[by].z, p);
     let w = along(lenses[by].w, p);
-    if (!(abs(x) <= w && abs(y) <= w && z >= 0.0 && z <= w)) {
+    // What lies beyond the far plane lies behind all that is drawn.
+    if (!(abs(x) <= w && abs(y) <= w && z >= 0.0)) {
         return 1.0;
     }
     let width = i32(lenses[by].width);
     let height = i32(lenses[by].height);
     let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
     let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
-    let depth = u32(hold(z / w) * f32(DEEP));
+    let depth = u32(min(hold(z / w), 1.0) * f32(DEEP));
     let blur = i32(canvas.blur);
     var open = 0;
     for (var j = -blur; j <= blur; j++) {

@@ -31,13 +31,14 @@ pub fn reaches(lenses: &[Lens], shadows: &[AtomicU32], blur: u32, lamp: &Lamp, p
     }
     let lens = &lenses[lens_of(lamp, p) as usize];
     let c = to_clip(lens, p);
-    if !(c.x.abs() <= c.w && c.y.abs() <= c.w && c.z >= 0.0 && c.z <= c.w) {
+    // What lies beyond the far plane lies behind all that is drawn.
+    if !(c.x.abs() <= c.w && c.y.abs() <= c.w && c.z >= 0.0) {
         return 1.0;
     }
     let (width, height) = (lens.width as i32, lens.height as i32);
     let column = ((c.x / c.w * 0.5 + 0.5) * width as f32).floor() as i32;
     let row = ((0.5 - c.y / c.w * 0.5) * height as f32).floor() as i32;
-    let depth = (c.z / c.w * DEEP as f32) as u32;
+    let depth = ((c.z / c.w).min(1.0) * DEEP as f32) as u32;
     let blur = blur as i32;
     let mut open = 0;
     for j in -blur..=blur {
