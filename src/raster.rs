@@ -12,6 +12,9 @@
 use crate::film::Film;
 use crate::tables::{Drawing, Lens};
 
+/// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
+pub type Drawn = (Vec<[f32; 4]>, Vec<u32>);
+
 /// One method a stage: `wgsl/raster/NAME.wgsl` and `cpu/raster/NAME.rs` do the same.
 pub trait Raster {
     /// Depths and ids, where this backend keeps them.
@@ -77,7 +80,7 @@ pub trait Raster {
     ///
     /// # Errors
     /// If they cannot be read back, or are not whole.
-    fn end(&mut self, image: &Self::Image) -> Result<(Vec<[f32; 4]>, Vec<u32>), Self::Error>;
+    fn end(&mut self, image: &Self::Image) -> Result<Drawn, Self::Error>;
 }
 
 /// What a lens sees: the stages that both passes share.

@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use crate::raster::Raster;
+use crate::raster::{Drawn, Raster};
 use crate::tables::{Corner, Drawing, Lens, Piece, Tally};
 
 /// Depths and ids, row by row from the top left; each may be written by any thread.
@@ -141,7 +141,7 @@ impl Raster for CpuRaster<'_> {
         Ok(())
     }
 
-    fn end(&mut self, image: &Image) -> Result<(Vec<[f32; 4]>, Vec<u32>), Infallible> {
+    fn end(&mut self, image: &Image) -> Result<Drawn, Infallible> {
         Ok((std::mem::take(&mut self.sums), image.ids.iter().map(|id| id.load(Relaxed)).collect()))
     }
 }

@@ -6,7 +6,7 @@ use bytemuck::Zeroable as _;
 
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
-use crate::raster::Raster;
+use crate::raster::{Drawn, Raster};
 use crate::tables::{
     Canvas, Corner, Drawing, Face, Lamp, Lens, MOST_ENTRIES, MOST_LENSES, Paint, Piece, Tally, Vertex,
 };
@@ -311,7 +311,7 @@ impl Raster for GpuRaster<'_> {
         self.gpu.finish(encoder)
     }
 
-    fn end(&mut self, image: &GpuImage) -> Result<(Vec<[f32; 4]>, Vec<u32>), Error> {
+    fn end(&mut self, image: &GpuImage) -> Result<Drawn, Error> {
         let sums = self.gpu.read(&self.sums)?;
         let wanted = self.samples as f32;
         if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {

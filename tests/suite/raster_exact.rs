@@ -56,7 +56,7 @@ fn random_drawing(number: u32) -> Drawing {
     lens.faces = faces.len() as u32;
     lens.cull = number % 2;
     lens.small = [16, 1, 64, 5][dice.below(4)];
-    if number % 3 == 0 {
+    if number.is_multiple_of(3) {
         (lens.bias, lens.slope) = (512, 200);
     }
     Drawing {

@@ -33,7 +33,7 @@ pub fn outcode(lens: &Lens, c: Vec4) -> u32 {
     (0..PLANES).map(|plane| if height(lens, plane, c) >= 0.0 { 0 } else { 1 << plane }).sum()
 }
 
-/// Homogeneous division and Clip2Screen, in 1/256 pixel with y down; depth as a share of [`DEEP`].
+/// Homogeneous division and `Clip2Screen`, in 1/256 pixel with y down; depth as a share of [`DEEP`].
 #[must_use]
 pub fn snap(lens: &Lens, c: Vec4) -> IVec3 {
     let half = [(lens.width * 128) as f32, (lens.height * 128) as f32];

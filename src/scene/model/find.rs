@@ -107,7 +107,7 @@ impl<'a> Finder<'a> {
                 match self.find(&home, name) {
                     Ok(found) => gathered.take(found, *line),
                     Err(why) => {
-                        gathered.warn(*line, format!("the MTL file {} is not used: {why}", quote(name.as_bytes())))
+                        gathered.warn(*line, format!("the MTL file {} is not used: {why}", quote(name.as_bytes())));
                     }
                 }
             }

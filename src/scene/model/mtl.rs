@@ -98,7 +98,7 @@ impl Written {
                 match word.and_then(number).filter(|value| value.is_finite() && *value >= 0.0) {
                     Some(value) => self.scalar(keyword, value),
                     None => {
-                        say(format!("{name} wants a number of at least 0, not {}; it is not changed", quote(rest)))
+                        say(format!("{name} wants a number of at least 0, not {}; it is not changed", quote(rest)));
                     }
                 }
             }
