@@ -11,6 +11,7 @@ use crate::prepare::lens::LONGEST_SIDE;
 use crate::prepare::{draw, prepare};
 use crate::raster;
 use crate::scene::{Method, Scene};
+use crate::tables::{MOST_LENSES, NONE};
 use crate::trace;
 
 /// Where the work is done.
@@ -65,14 +66,16 @@ impl Renderer {
     /// If the GPU is asked for and cannot be opened.
     pub fn open(backend: Backend, wanted: &Wanted) -> Result<Self, Error> {
         let mut notes = Vec::new();
-        let gpu = match (backend, Gpu::open(wanted)) {
-            (Backend::Cpu, _) => None,
-            (_, Ok(gpu)) => Some(gpu),
-            (Backend::Auto, Err(error)) => {
-                notes.push(format!("{error}; rendering on the CPU"));
-                None
-            }
-            (Backend::Gpu, Err(error)) => return Err(error.into()),
+        let gpu = match backend {
+            Backend::Cpu => None,
+            Backend::Gpu => Some(Gpu::open(wanted)?),
+            Backend::Auto => match Gpu::open(wanted) {
+                Ok(gpu) => Some(gpu),
+                Err(error) => {
+                    notes.push(format!("{error}; rendering on the CPU"));
+                    None
+                }
+            },
         };
         Ok(Self { backend, gpu, sources: Sources::default(), notes })
     }
@@ -124,6 +127,13 @@ impl Renderer {
                     return Err(Error::TooLarge(scene.film.size));
                 }
                 let drawing = draw(scene);
+                let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
+                if bare > 0 && !drawing.faces.is_empty() {
+                    notes.push(format!(
+                        "{bare} lights cast no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \
+                         takes six"
+                    ));
+                }
                 let on_gpu = |gpu: &Gpu, sources: &Sources, progress: &mut dyn FnMut(f64)| {
                     raster::frame(&mut GpuRaster::new(gpu, sources, &drawing)?, &drawing, progress)
                 };

@@ -1,10 +1,12 @@
 //! Whole drawn frames: GPU against CPU in every bit, and the two methods against each other.
 
 use twinlight::film::compare::{Standard, compare};
+use twinlight::gpu::Wanted;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
-use twinlight::scene::{Filter, Method, Show, Specular};
+use twinlight::render::{Backend, Renderer};
+use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
 use twinlight::tables::{NONE, ONE_SIDED};
 
 use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
@@ -95,4 +97,17 @@ fn one_sided_models_are_marked() {
     scene.meshes.truncate(1);
     scene.meshes[0].one_sided = true;
     assert!(draw(&scene).faces.iter().all(|face| face.paint & ONE_SIDED != 0));
+}
+
+#[test]
+fn lights_beyond_the_room_for_shadow_maps_are_told() {
+    let mut scene = small(&root().join("scenes/pyramid.toml"), [31, 23], 1);
+    let render = |scene: &Scene| {
+        let mut renderer = Renderer::open(Backend::Cpu, &Wanted::Best).expect("the CPU");
+        renderer.render(scene, Method::Raster, &mut |_| ()).expect("a film").notes
+    };
+    assert_eq!(render(&scene), [""; 0]);
+    scene.lights = vec![Light::Point { position: Vec3::new(1.0, 3.0, 2.0), power: Vec3::ONE }; 6];
+    let notes = render(&scene);
+    assert!(notes.len() == 1 && notes[0].starts_with("1 lights cast no shadows"), "{notes:?}");
 }

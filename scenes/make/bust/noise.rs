@@ -36,7 +36,7 @@ pub fn noise(p: Vec3) -> f32 {
     let c = f.as_ivec3();
     let at = |x: i32, y: i32, z: i32| {
         let q = c + IVec3::new(x, y, z);
-        let mixed = q.as_uvec3() * glam::UVec3::new(0x9e37_79b1, 0x85eb_ca77, 0xc2b2_ae3d);
+        let mixed = q.as_uvec3().wrapping_mul(glam::UVec3::new(0x9e37_79b1, 0x85eb_ca77, 0xc2b2_ae3d));
         let h = hash(mixed.x ^ mixed.y.rotate_left(11) ^ mixed.z.rotate_left(22));
         (h >> 8) as f32 / 8_388_608.0 - 1.0
     };
