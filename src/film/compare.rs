@@ -16,6 +16,38 @@ pub enum Standard {
     Random,
 }
 
+/// What a row of the tolerance table measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// Pixels whose ids differ.
+    Ids,
+    /// Of these, the ones that lie more than a pixel from an edge.
+    InnerIds,
+    /// Pixels whose colors differ in any bit.
+    Bits,
+    /// The share of pixels that differ by more than 2/255.
+    Steps,
+    /// The largest z of a tile's mean difference.
+    TileZ,
+    /// The relative difference of the pictures' means.
+    Mean,
+}
+
+impl Measure {
+    /// For a table.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Ids => "pixels whose ids differ",
+            Self::InnerIds => "pixels whose ids differ, more than a pixel from an edge",
+            Self::Bits => "pixels whose colors differ in any bit",
+            Self::Steps => "share of pixels that differ by more than 2/255",
+            Self::TileZ => "largest z of a 16 x 16 tile's mean difference",
+            Self::Mean => "relative difference of the pictures' means",
+        }
+    }
+}
+
 /// One row of the tolerance table.
 #[derive(Debug, Clone, Copy)]
 pub struct Tolerance {
@@ -24,7 +56,7 @@ pub struct Tolerance {
     /// Which standards it is asked of.
     pub asked: &'static [Standard],
     /// What is measured.
-    pub what: &'static str,
+    pub what: Measure,
     /// The most of it that passes.
     pub most: f64,
     /// Why so.
@@ -38,42 +70,42 @@ pub const TOLERANCES: [Tolerance; 6] = [
     Tolerance {
         tier: 'A',
         asked: &[Exact],
-        what: "pixels whose ids differ",
+        what: Measure::Ids,
         most: 0.0,
         reason: "both sides do the same operations in the same order, and lavapipe rounds as Rust does",
     },
     Tolerance {
         tier: 'A',
         asked: &[Near, Random],
-        what: "pixels whose ids differ, more than a pixel from an edge",
+        what: Measure::InnerIds,
         most: 0.0,
         reason: "a fused product moves a hit by an ulp, and an edge by less than a pixel",
     },
     Tolerance {
         tier: 'B',
         asked: &[Exact],
-        what: "pixels whose colors differ in any bit",
+        what: Measure::Bits,
         most: 0.0,
         reason: "no operation is used that lavapipe rounds otherwise than Rust",
     },
     Tolerance {
         tier: 'B',
         asked: &[Near],
-        what: "share of pixels that differ by more than 2/255",
+        what: Measure::Steps,
         most: 0.001,
         reason: "division and square root may be 2.5 ulps off (WGSL), and reflected edges move",
     },
     Tolerance {
         tier: 'C',
         asked: &[Random],
-        what: "largest z of a 16 x 16 tile's mean difference",
+        what: Measure::TileZ,
         most: 6.0,
         reason: "by chance below 1e-4 in a picture of 100,000 tiles; single pixels are not comparable",
     },
     Tolerance {
         tier: 'C',
         asked: &[Random],
-        what: "relative difference of the pictures' means",
+        what: Measure::Mean,
         most: 0.005,
         reason: "the same light in all, whichever way each path went",
     },
@@ -144,16 +176,16 @@ pub fn compare(a: &Film, b: &Film, standard: Standard) -> Result<Comparison, Siz
             worst = [p % size[0], p / size[0]];
         }
     }
-    let measure = |what: &Tolerance| match (what.tier, what.asked[0]) {
-        ('A', Exact) => pixels().filter(|&p| a.id(p) != b.id(p)).count() as f64,
-        ('A', _) => pixels().filter(|&p| a.id(p) != b.id(p) && !edge(a, p) && !edge(b, p)).count() as f64,
-        ('B', Exact) => pixels().filter(|&p| bits(a, p) != bits(b, p)).count() as f64,
-        ('B', _) => {
+    let measure = |what: Measure| match what {
+        Measure::Ids => pixels().filter(|&p| a.id(p) != b.id(p)).count() as f64,
+        Measure::InnerIds => pixels().filter(|&p| a.id(p) != b.id(p) && !edge(a, p) && !edge(b, p)).count() as f64,
+        Measure::Bits => pixels().filter(|&p| bits(a, p) != bits(b, p)).count() as f64,
+        Measure::Steps => {
             let over = pixels().filter(|&p| difference(a, b, p).max_element() > 2.0 / 255.0 || !finite(a, b, p));
             over.count() as f64 / f64::from(a.pixels())
         }
-        (_, _) if what.what.starts_with("largest z") => largest_z(a, b),
-        _ => {
+        Measure::TileZ => largest_z(a, b),
+        Measure::Mean => {
             let sum = |film: &Film| pixels().map(|p| film.color(p).as_dvec3()).sum::<DVec3>();
             let (a, b) = (sum(a), sum(b));
             let relative = (a - b).abs() / a.abs().max(b.abs()).max(DVec3::splat(f64::MIN_POSITIVE));
@@ -162,7 +194,7 @@ pub fn compare(a: &Film, b: &Film, standard: Standard) -> Result<Comparison, Siz
     };
     let rows = TOLERANCES.iter().filter(|t| t.asked.contains(&standard));
     Ok(Comparison {
-        rows: rows.map(|t| Row { tolerance: *t, found: measure(t) }).collect(),
+        rows: rows.map(|t| Row { tolerance: *t, found: measure(t.what) }).collect(),
         largest,
         worst,
         mean: sum / f64::from(3 * a.pixels()),

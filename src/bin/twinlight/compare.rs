@@ -68,7 +68,10 @@ fn table(comparison: &Comparison, standard: Standard) -> String {
         let _ = writeln!(
             text,
             "{} | {:<58} | {:>10.4} of at most {:<6} | {verdict}",
-            tolerance.tier, tolerance.what, row.found, tolerance.most
+            tolerance.tier,
+            tolerance.what.words(),
+            row.found,
+            tolerance.most
         );
     }
     let [x, y] = comparison.worst;
