@@ -159,6 +159,18 @@ impl Gpu {
         &self.adapter
     }
 
+    /// The device itself, for what shares it: a window, or a peer to compare with.
+    #[must_use]
+    pub fn device(&self) -> &wgpu::Device {
+        &self.device
+    }
+
+    /// The device's queue.
+    #[must_use]
+    pub fn queue(&self) -> &wgpu::Queue {
+        &self.queue
+    }
+
     /// Whether it is a program on this machine's processor.
     #[must_use]
     pub fn software(&self) -> bool {
