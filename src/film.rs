@@ -3,9 +3,11 @@
 pub mod compare;
 mod save;
 mod transfer;
+mod watch;
 
 pub use save::{Error, Format, write_whole};
 pub use transfer::{Transfer, decode_hex};
+pub use watch::{Run, Watch};
 
 use glam::Vec3;
 
@@ -88,6 +90,18 @@ impl Film {
     #[must_use]
     pub fn samples(&self, pixel: u32) -> f32 {
         self.sums[pixel as usize][3]
+    }
+
+    /// Red, green, blue and the number of samples in the sum, pixel by pixel.
+    #[must_use]
+    pub fn sums(&self) -> &[[f32; 4]] {
+        &self.sums
+    }
+
+    /// What is seen first, pixel by pixel.
+    #[must_use]
+    pub fn ids(&self) -> &[u32] {
+        &self.ids
     }
 
     /// Pixels whose color is not a finite number; they are black in a picture.

@@ -9,7 +9,7 @@
 //! integers and by a minimum, so neither the order of the work nor its division can show in the picture: small faces
 //! are drawn by one invocation each, all others become pieces, which are sorted into tiles that a workgroup owns.
 
-use crate::film::Film;
+use crate::film::{Film, Watch};
 use crate::tables::{Drawing, Lens};
 
 /// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
@@ -96,37 +96,37 @@ pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Res
     stages.cover(lens, image)
 }
 
-/// One frame: every light's shadows, then every sample. `progress` is told the fraction done.
+/// One frame: every light's shadows, then every sample. `watch` is told the fraction done, and may stop it.
 ///
 /// # Errors
 /// The backend's.
-pub fn frame<R: Raster>(
-    stages: &mut R,
-    drawing: &Drawing,
-    progress: &mut dyn FnMut(f64),
-) -> Result<Film, R::Error> {
+pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch) -> Result<Film, R::Error> {
     let passes = (drawing.lenses.len() + drawing.eyes.len()) as f64;
     let mut done = 0.0;
     let mut step = |done: &mut f64| {
         *done += 1.0;
-        progress(*done / passes);
+        watch.done(*done / passes)
     };
+    let mut film = Film::new(drawing.eyes[0].width, drawing.eyes[0].height);
     let mut shadows = stages.clear(drawing.shadow_words(), 0)?;
     for lens in &drawing.lenses {
         draw(stages, lens, &mut shadows)?;
-        step(&mut done);
+        if step(&mut done).is_break() {
+            return Ok(film);
+        }
     }
-    let mut film = Film::new(drawing.eyes[0].width, drawing.eyes[0].height);
     for eye in &drawing.eyes {
         let pixels = eye.pixels() as usize;
         let mut image = stages.clear(pixels, pixels)?;
         draw(stages, eye, &mut image)?;
         stages.mark(eye, &mut image)?;
         stages.shade(eye, &image, &shadows)?;
-        step(&mut done);
+        let stop = step(&mut done).is_break();
         if done == passes {
             let (sums, ids) = stages.end(&image)?;
             film.put(0, &sums, &ids);
+        } else if stop {
+            return Ok(film);
         }
     }
     Ok(film)

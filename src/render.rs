@@ -1,10 +1,11 @@
 //! A scene, a method and a backend -> a film. The only place that knows both backends.
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
-use crate::film::Film;
+use crate::film::{Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
 use crate::prepare::lens::LONGEST_SIDE;
@@ -35,6 +36,9 @@ pub enum Error {
     /// A film that fixed-point coordinates do not reach across.
     #[error("a film of {}x{} is too large for the rasterizer: a side has at most {LONGEST_SIDE} pixels", .0[0], .0[1])]
     TooLarge([u32; 2]),
+    /// Whoever watched it wanted no more of it.
+    #[error("stopped")]
+    Stopped,
 }
 
 /// A finished film and how it came to be.
@@ -93,18 +97,13 @@ impl Renderer {
         self.gpu.as_ref()
     }
 
-    /// Renders a scene. `progress` is told the fraction done.
+    /// Renders a scene. `watch` is told the fraction done, and may stop it.
     ///
     /// With [`Backend::Auto`] a GPU that fails is left for the CPU, and that becomes a note.
     ///
     /// # Errors
-    /// If the GPU alone is allowed and fails.
-    pub fn render(
-        &mut self,
-        scene: &Scene,
-        method: Method,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Rendered, Error> {
+    /// If the GPU alone is allowed and fails, or `watch` stops the work.
+    pub fn render(&mut self, scene: &Scene, method: Method, watch: &mut dyn Watch) -> Result<Rendered, Error> {
         let mut notes = std::mem::take(&mut self.notes);
         let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
         notes.extend(warnings.map(ToString::to_string));
@@ -114,11 +113,11 @@ impl Renderer {
                     notes.push("the ray tracer does not see models; --method raster draws them".to_owned());
                 }
                 let tables = prepare(scene);
-                let on_gpu = |gpu: &Gpu, sources: &Sources, progress: &mut dyn FnMut(f64)| {
-                    trace::frame(&mut GpuTrace::new(gpu, sources, &tables)?, &tables, progress)
+                let on_gpu = |gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch| {
+                    trace::frame(&mut GpuTrace::new(gpu, sources, &tables)?, &tables, watch)
                 };
-                self.make(notes, progress, on_gpu, |progress| {
-                    let Ok(film) = trace::frame(&mut CpuTrace::new(&tables), &tables, progress);
+                self.make(notes, watch, on_gpu, |watch| {
+                    let Ok(film) = trace::frame(&mut CpuTrace::new(&tables), &tables, watch);
                     film
                 })
             }
@@ -134,11 +133,11 @@ impl Renderer {
                          takes six"
                     ));
                 }
-                let on_gpu = |gpu: &Gpu, sources: &Sources, progress: &mut dyn FnMut(f64)| {
-                    raster::frame(&mut GpuRaster::new(gpu, sources, &drawing)?, &drawing, progress)
+                let on_gpu = |gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch| {
+                    raster::frame(&mut GpuRaster::new(gpu, sources, &drawing)?, &drawing, watch)
                 };
-                self.make(notes, progress, on_gpu, |progress| {
-                    let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, progress);
+                self.make(notes, watch, on_gpu, |watch| {
+                    let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, watch);
                     film
                 })
             }
@@ -149,13 +148,15 @@ impl Renderer {
     fn make(
         &mut self,
         mut notes: Vec<String>,
-        progress: &mut dyn FnMut(f64),
-        on_gpu: impl FnOnce(&Gpu, &Sources, &mut dyn FnMut(f64)) -> Result<Film, gpu::Error>,
-        on_cpu: impl FnOnce(&mut dyn FnMut(f64)) -> Film,
+        watch: &mut dyn Watch,
+        on_gpu: impl FnOnce(&Gpu, &Sources, &mut dyn Watch) -> Result<Film, gpu::Error>,
+        on_cpu: impl FnOnce(&mut dyn Watch) -> Film,
     ) -> Result<Rendered, Error> {
         let start = Instant::now();
+        let mut watch = Noticed { watch, stopped: false };
         if let Some(gpu) = &self.gpu {
-            match on_gpu(gpu, &self.sources, progress) {
+            match on_gpu(gpu, &self.sources, &mut watch) {
+                Ok(_) if watch.stopped => return Err(Error::Stopped),
                 Ok(film) => {
                     let by = gpu.adapter().name.clone();
                     return Ok(Rendered { film, by, took: start.elapsed(), notes });
@@ -167,7 +168,32 @@ impl Renderer {
                 Err(error) => return Err(error.into()),
             }
         }
-        let film = on_cpu(progress);
+        let film = on_cpu(&mut watch);
+        if watch.stopped {
+            return Err(Error::Stopped);
+        }
         Ok(Rendered { film, by: "CPU".to_owned(), took: start.elapsed(), notes })
+    }
+}
+
+/// Passes everything on, and remembers whether the work was stopped before its end.
+struct Noticed<'a> {
+    watch: &'a mut dyn Watch,
+    stopped: bool,
+}
+
+impl Watch for Noticed<'_> {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        let flow = self.watch.done(fraction);
+        self.stopped |= flow.is_break() && fraction < 1.0;
+        flow
+    }
+
+    fn kept(&mut self, first: u32) -> Option<Run> {
+        self.watch.kept(first)
+    }
+
+    fn keep(&mut self, run: &Run) {
+        self.watch.keep(run);
     }
 }

@@ -8,12 +8,15 @@
 //! stages starts the pixels that are idle, follows every tree for as long as a budget of loop turns lasts, and
 //! gathers the trees that are finished; rounds are repeated until every pixel has all its samples. Neither the
 //! budget nor the number of pixels in hand can show in the picture.
+//!
+//! Samples are summed in blocks of [`BLOCK`], and the blocks' sums are added in order. So a frame that is stopped,
+//! resumed, or made in parts on many machines ([`Part`]) has the bits of one that was made at once.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use bytemuck::Zeroable as _;
 
-use crate::film::Film;
+use crate::film::{Film, Run, Watch};
 use crate::tables::{NONE, Path, Slice, Tables, Waiting};
 
 /// The ray trees of a run of pixels, with their part of the film, in host memory.
@@ -44,6 +47,13 @@ impl Paths {
             ids: vec![NONE; count],
         }
     }
+
+    /// The same, of which `first` is the first sample to be made.
+    #[must_use]
+    pub fn from_sample(mut self, first: u32) -> Self {
+        self.paths.iter_mut().for_each(|path| path.sample = first);
+        self
+    }
 }
 
 /// One method a stage: `wgsl/trace/NAME.wgsl` and `cpu/trace/NAME.rs` do the same.
@@ -60,11 +70,11 @@ pub trait Trace {
     /// Rounds of the three stages before the host looks at how far they are.
     fn rounds(&self) -> u32;
 
-    /// Pixels with no sample yet.
+    /// Pixels with none of the samples yet.
     ///
     /// # Errors
     /// If there is no room for them.
-    fn begin(&mut self, pixels: Range<u32>) -> Result<Self::Paths, Self::Error>;
+    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Self::Paths, Self::Error>;
 
     /// pixels -> primary rays
     ///
@@ -109,46 +119,128 @@ pub trait Trace {
     fn ease(&mut self, error: Self::Error) -> Result<(), Self::Error>;
 }
 
-/// One frame: every pixel, every sample. `progress` is told the fraction done.
+/// Samples that are summed on their own before they are added to those before them.
+pub const BLOCK: u32 = 64;
+
+/// The part of a frame that is made: some rows of it, and of each pixel some samples.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// Rows from the top.
+    pub rows: Range<u32>,
+    /// Samples; from a multiple of [`BLOCK`].
+    pub samples: Range<u32>,
+}
+
+impl Part {
+    /// All of a frame.
+    #[must_use]
+    pub fn whole(tables: &Tables) -> Self {
+        Self { rows: 0..tables.view.height, samples: 0..tables.samples }
+    }
+}
+
+/// One frame: every pixel, every sample. `watch` is told the fraction done, and may stop it.
 ///
 /// # Errors
 /// The backend's, once smaller portions no longer help.
-pub fn frame<T: Trace>(stages: &mut T, tables: &Tables, progress: &mut dyn FnMut(f64)) -> Result<Film, T::Error> {
-    let mut film = Film::new(tables.view.width, tables.view.height);
-    let total = film.pixels();
-    let mut first = 0;
-    while first < total {
-        let pixels = first..total.min(first + stages.most_pixels().max(1));
-        let mut share = |part: f64| {
-            progress((f64::from(pixels.start) + part * pixels.len() as f64) / f64::from(total));
-        };
-        match run(stages, tables, pixels.clone(), &mut share) {
-            Ok(paths) => {
-                film.put(pixels.start, &paths.sums, &paths.ids);
-                first = pixels.end;
+pub fn frame<T: Trace>(stages: &mut T, tables: &Tables, watch: &mut dyn Watch) -> Result<Film, T::Error> {
+    part(stages, tables, &Part::whole(tables), watch)
+}
+
+/// A part of a frame, as a film of its rows.
+///
+/// # Errors
+/// The backend's, once smaller portions no longer help.
+pub fn part<T: Trace>(
+    stages: &mut T,
+    tables: &Tables,
+    part: &Part,
+    watch: &mut dyn Watch,
+) -> Result<Film, T::Error> {
+    let width = tables.view.width;
+    let mut film = Film::new(width, part.rows.len() as u32);
+    let (top, end) = (part.rows.start * width, part.rows.end * width);
+    let mut first = top;
+    let mut eased = false;
+    while first < end {
+        // What was kept before a failure is as long as what failed.
+        let kept = if eased { None } else { watch.kept(first) };
+        let run = kept
+            .unwrap_or_else(|| Run::new(first..end.min(first + stages.most_pixels().max(1)), part.samples.start));
+        let before = f64::from(first - top) / f64::from(end - top);
+        let part = run.pixels.len() as f64 / f64::from(end - top);
+        let mut watch = Share { watch, before, part };
+        match follow_up(stages, tables, run, part.samples.end, &mut watch) {
+            Ok(Some(run)) => {
+                film.put(first - top, &run.sums, &run.ids);
+                first = run.pixels.end;
+                eased = false;
             }
-            Err(error) => stages.ease(error)?,
+            Ok(None) => return Ok(film),
+            Err(error) => {
+                stages.ease(error)?;
+                eased = true;
+            }
         }
     }
-    progress(1.0);
+    let _ = watch.done(1.0);
     Ok(film)
 }
 
-/// A run of pixels, from their first sample to their last.
-fn run<T: Trace>(
+/// One who watches the whole, seen from a part of it.
+struct Share<'a> {
+    watch: &'a mut dyn Watch,
+    before: f64,
+    part: f64,
+}
+
+impl Share<'_> {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        self.watch.done(self.before + fraction * self.part)
+    }
+}
+
+/// A run of pixels up to sample `end`, block by block; nothing if it was stopped.
+fn follow_up<T: Trace>(
+    stages: &mut T,
+    tables: &Tables,
+    mut run: Run,
+    end: u32,
+    watch: &mut Share<'_>,
+) -> Result<Option<Run>, T::Error> {
+    let first = run.samples.start;
+    while run.samples.end < end {
+        let start = run.samples.end;
+        let block = start..end.min((start / BLOCK + 1) * BLOCK);
+        let mut within = |part: f64| {
+            let done = f64::from(start - first) + part * block.len() as f64;
+            watch.done(done / f64::from(end - first))
+        };
+        let Some(paths) = self::block(stages, tables, run.pixels.clone(), block.clone(), &mut within)? else {
+            return Ok(None);
+        };
+        run.add(block.end, &paths.sums, &paths.ids);
+        watch.watch.keep(&run);
+    }
+    Ok(Some(run))
+}
+
+/// A block of samples of a run of pixels; nothing if it was stopped.
+fn block<T: Trace>(
     stages: &mut T,
     tables: &Tables,
     pixels: Range<u32>,
-    progress: &mut dyn FnMut(f64),
-) -> Result<Paths, T::Error> {
-    let mut paths = stages.begin(pixels.clone())?;
+    samples: Range<u32>,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Option<Paths>, T::Error> {
+    let mut paths = stages.begin(pixels.clone(), samples.clone())?;
     let mut done = 0;
     let mut rounds = 0_u32;
     while done < pixels.len() as u32 {
         let slice = Slice {
             first: pixels.start,
             count: pixels.len() as u32,
-            samples: tables.samples,
+            samples: samples.end,
             budget: stages.budget(),
         };
         for _ in 0..stages.rounds() {
@@ -162,7 +254,9 @@ fn run<T: Trace>(
             rounds = rounds.saturating_add(1);
         }
         done += stages.settle(&mut paths)?;
-        progress((f64::from(rounds) / f64::from(tables.samples)).min(0.99));
+        if progress((f64::from(rounds) / samples.len() as f64).min(0.99)).is_break() {
+            return Ok(None);
+        }
     }
-    stages.end(paths)
+    stages.end(paths).map(Some)
 }

@@ -70,8 +70,8 @@ impl Trace for CpuTrace<'_> {
         1
     }
 
-    fn begin(&mut self, pixels: Range<u32>) -> Result<Paths, Infallible> {
-        Ok(Paths::new(pixels, self.tables.settings.max_depth))
+    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
+        Ok(Paths::new(pixels, self.tables.settings.max_depth).from_sample(samples.start))
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
@@ -121,8 +121,9 @@ impl Trace for CpuTrace<'_> {
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let group = GROUP as usize;
+        let from = paths.paths.first().map_or(0, |path| path.sample);
         let whole =
-            slice.budget == u32::MAX && paths.paths.iter().all(|path| path.sample == 0 && path.state == IDLE);
+            slice.budget == u32::MAX && paths.paths.iter().all(|path| path.sample == from && path.state == IDLE);
         let stacks = paths.waiting.par_chunks_mut(group * depth);
         let film = paths.sums.par_chunks_mut(group).zip(paths.ids.par_chunks_mut(group));
         let work = paths.paths.par_chunks_mut(group).zip(stacks).zip(film).enumerate();
@@ -133,7 +134,7 @@ impl Trace for CpuTrace<'_> {
                 let film = sums.chunks_mut(LANES).zip(ids.chunks_mut(LANES));
                 for ((stacks, (sums, ids)), i) in stacks.chunks_mut(depth * LANES).zip(film).zip(0..) {
                     let first = slice.first + first + i * LANES as u32;
-                    status = both(status, lanes::few::few(tables, slice, first, stacks, sums, ids));
+                    status = both(status, lanes::few::few(tables, from..slice.samples, first, stacks, sums, ids));
                 }
                 for path in paths {
                     path.sample = slice.samples;

@@ -176,13 +176,19 @@ impl Trace for GpuTrace<'_> {
         self.pace.rounds.min(self.samples)
     }
 
-    fn begin(&mut self, pixels: Range<u32>) -> Result<GpuPaths, Error> {
+    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<GpuPaths, Error> {
         let count = pixels.len();
+        self.samples = samples.len() as u32;
         self.recorded = None;
         self.idle = 0;
+        let paths = if samples.start == 0 {
+            self.gpu.zeroed("paths", count)?
+        } else {
+            self.gpu.upload("paths", &Paths::new(0..count as u32, 0).from_sample(samples.start).paths)?
+        };
         Ok(GpuPaths {
             pixels,
-            paths: self.gpu.zeroed("paths", count)?,
+            paths,
             waiting: self.gpu.zeroed("waiting", count * self.max_depth as usize)?,
             sums: self.gpu.zeroed("sums", count)?,
             ids: self.gpu.zeroed("ids", count)?,

@@ -15,6 +15,7 @@ mod layout;
 mod loops;
 mod mutants;
 mod oracle;
+mod parts;
 mod raster_exact;
 mod raster_frames;
 mod schema;
@@ -214,8 +215,8 @@ impl Trace for Sliced<'_> {
         self.rounds
     }
 
-    fn begin(&mut self, pixels: Range<u32>) -> Result<Paths, Infallible> {
-        self.stages.begin(pixels)
+    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
+        self.stages.begin(pixels, samples)
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {

@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut films = Vec::new();
     for (renderer, what) in [(&mut on_cpu, "CPU"), (&mut on_gpu, "GPU")] {
         let bar = bar(what);
-        let rendered = renderer.render(&scene, method, &mut |done| bar.set_position((done * 1000.0) as u64));
+        let rendered = renderer.render(&scene, method, &mut |done: f64| bar.set_position((done * 1000.0) as u64));
         bar.finish_and_clear();
         let rendered = rendered?;
         eprintln!("{what}: {:.2} s on {}", rendered.took.as_secs_f64(), rendered.by);

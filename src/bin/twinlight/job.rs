@@ -105,6 +105,7 @@ impl Failure {
             Self::Film(film::Error::Ending(_)) | Self::Render(render::Error::TooLarge(_)) | Self::Sizes(_) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
+            Self::Render(render::Error::Stopped) => 130,
         })
     }
 }

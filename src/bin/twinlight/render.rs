@@ -27,7 +27,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let (scene, method) = arguments.job.load()?;
     let mut renderer = Renderer::open(arguments.backend, &arguments.job.wanted())?;
     let bar = bar("rendering");
-    let rendered = renderer.render(&scene, method, &mut |done| bar.set_position((done * 1000.0) as u64));
+    let rendered = renderer.render(&scene, method, &mut |done: f64| bar.set_position((done * 1000.0) as u64));
     bar.finish_and_clear();
     let rendered = rendered?;
     for note in &rendered.notes {

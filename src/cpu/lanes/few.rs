@@ -1,5 +1,7 @@
 //! eight pixels of a scene of few primitives -> sums on the film: eight times `cpu/trace/few.rs`, to the end
 
+use std::ops::Range;
+
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f32x8, mask32x8, u32x8};
 use glam::Vec3;
@@ -8,7 +10,7 @@ use super::meet::{Rays, free, nearest};
 use super::shade::{Ways, phong, scatter, surfaces_at};
 use super::{LANES, Vec3s};
 use crate::cpu::trace::primary::place;
-use crate::tables::{FAR, NONE, POINT, STACK_FULL, Slice, Status, Tables, View, Waiting};
+use crate::tables::{FAR, NONE, POINT, STACK_FULL, Status, Tables, View, Waiting};
 
 /// Eight ray trees in progress: [`Path`](crate::tables::Path), lane by lane.
 struct Trees<'a, S: Simd> {
@@ -23,23 +25,23 @@ struct Trees<'a, S: Simd> {
     stacks: &'a mut [Waiting],
 }
 
-/// Renders at most eight pixels from `first`, all their samples; `stacks` has `max_depth` places for each.
+/// Renders at most eight pixels from `first`, all of the samples; `stacks` has `max_depth` places for each.
 pub(in crate::cpu) fn few(
     tables: &Tables,
-    slice: &Slice,
+    samples: Range<u32>,
     first: u32,
     stacks: &mut [Waiting],
     sums: &mut [[f32; 4]],
     ids: &mut [u32],
 ) -> Status {
-    dispatch!(Level::new(), simd => pixels(simd, tables, slice, first, stacks, sums, ids))
+    dispatch!(Level::new(), simd => pixels(simd, tables, samples, first, stacks, sums, ids))
 }
 
 #[inline(always)]
 fn pixels<S: Simd>(
     simd: S,
     tables: &Tables,
-    slice: &Slice,
+    samples: Range<u32>,
     first: u32,
     stacks: &mut [Waiting],
     sums: &mut [[f32; 4]],
@@ -52,7 +54,7 @@ fn pixels<S: Simd>(
     let column = f32x8::from_fn(simd, |i| (pixel(i) % view.width) as f32);
     let row = f32x8::from_fn(simd, |i| (view.height - 1 - pixel(i) / view.width) as f32);
     let zero = Vec3s::splat(simd, Vec3::ZERO);
-    for sample in 0..slice.samples {
+    for sample in samples {
         let direction = primary(simd, view, column, row, sample);
         let none = u32x8::splat(simd, NONE);
         let mut trees = Trees {

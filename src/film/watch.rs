@@ -1,0 +1,63 @@
+//! a film in the making -> how far it is, what is kept of it, and whether to go on
+
+use std::ops::{ControlFlow, Range};
+
+/// A run of pixels with the sums of some of their samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Which pixels, counted along rows from the top left.
+    pub pixels: Range<u32>,
+    /// Which samples are in the sums.
+    pub samples: Range<u32>,
+    /// Red, green, blue and the number of samples in the sum.
+    pub sums: Vec<[f32; 4]>,
+    /// What the first ray of sample 0 met.
+    pub ids: Vec<u32>,
+}
+
+impl Run {
+    /// Pixels without light, before sample `first`.
+    #[must_use]
+    pub fn new(pixels: Range<u32>, first: u32) -> Self {
+        let count = pixels.len();
+        let (sums, ids) = (vec![[0.0; 4]; count], vec![crate::tables::NONE; count]);
+        Self { pixels, samples: first..first, sums, ids }
+    }
+
+    /// Adds the sums of the samples up to `end`.
+    pub fn add(&mut self, end: u32, sums: &[[f32; 4]], ids: &[u32]) {
+        for (sum, more) in self.sums.iter_mut().zip(sums) {
+            for (sum, more) in sum.iter_mut().zip(more) {
+                *sum += more;
+            }
+        }
+        if self.samples.start == 0 && self.samples.is_empty() {
+            self.ids.copy_from_slice(ids);
+        }
+        self.samples.end = end;
+    }
+}
+
+/// Whoever waits for a film: any `FnMut(f64)` that is told the fraction done is one who waits to the end.
+pub trait Watch {
+    /// Told the fraction done; says whether to go on. A film that was stopped is returned as far as it is.
+    fn done(&mut self, fraction: f64) -> ControlFlow<()>;
+
+    /// What an earlier try has kept of the pixels from `first` on.
+    fn kept(&mut self, first: u32) -> Option<Run> {
+        let _ = first;
+        None
+    }
+
+    /// Offered each run of pixels as it grows.
+    fn keep(&mut self, run: &Run) {
+        let _ = run;
+    }
+}
+
+impl<F: FnMut(f64)> Watch for F {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        self(fraction);
+        ControlFlow::Continue(())
+    }
+}
