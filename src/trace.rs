@@ -168,8 +168,8 @@ pub fn part<T: Trace>(
         let run = kept
             .unwrap_or_else(|| Run::new(first..end.min(first + stages.most_pixels().max(1)), part.samples.start));
         let before = f64::from(first - top) / f64::from(end - top);
-        let part = run.pixels.len() as f64 / f64::from(end - top);
-        let mut watch = Share { watch, before, part };
+        let length = run.pixels.len() as f64 / f64::from(end - top);
+        let mut watch = Share { watch, before, length };
         match follow_up(stages, tables, run, part.samples.end, &mut watch) {
             Ok(Some(run)) => {
                 film.put(first - top, &run.sums, &run.ids);
@@ -191,12 +191,12 @@ pub fn part<T: Trace>(
 struct Share<'a> {
     watch: &'a mut dyn Watch,
     before: f64,
-    part: f64,
+    length: f64,
 }
 
 impl Share<'_> {
     fn done(&mut self, fraction: f64) -> ControlFlow<()> {
-        self.watch.done(self.before + fraction * self.part)
+        self.watch.done(self.before + fraction * self.length)
     }
 }
 
