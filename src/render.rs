@@ -11,7 +11,7 @@ use crate::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
 use crate::prepare::lens::LONGEST_SIDE;
 use crate::prepare::{draw, prepare};
 use crate::raster;
-use crate::scene::{Method, Scene};
+use crate::scene::{Maps, Method, Scene};
 use crate::tables::{MOST_LENSES, NONE};
 use crate::trace;
 
@@ -111,6 +111,10 @@ impl Renderer {
             Method::Trace => {
                 if !scene.meshes.is_empty() {
                     notes.push("the ray tracer does not see models; --method raster draws them".to_owned());
+                }
+                if scene.materials.iter().any(|material| material.maps != Maps::default()) {
+                    notes
+                        .push("the ray tracer does not see materials' maps; --method raster draws them".to_owned());
                 }
                 let tables = prepare(scene);
                 let on_gpu = |gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch| {

@@ -6,6 +6,7 @@
 mod alone;
 mod error;
 pub mod file;
+mod maps;
 mod mesh;
 pub mod model;
 mod resolve;
@@ -13,12 +14,14 @@ pub mod value;
 
 pub use error::Error;
 pub use file::{Behavior, Filter, Method, Specular};
+pub use maps::Maps;
 pub use mesh::Mesh;
 pub use resolve::{load, parse};
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::film::Transfer;
+use crate::math::vector::unit;
 
 /// The deepest ray tree that the stack is laid out for.
 pub const DEEPEST: u32 = 32;
@@ -42,6 +45,8 @@ pub struct Scene {
     pub raster: RasterSettings,
     /// What objects are made of.
     pub materials: Vec<Material>,
+    /// The pictures that the materials' maps point into.
+    pub textures: Vec<model::Texture>,
     /// Where light comes from.
     pub lights: Vec<Light>,
     /// Spheres, in world space.
@@ -167,6 +172,8 @@ pub struct Material {
     pub index: f32,
     /// Which way rays go on.
     pub behavior: Behavior,
+    /// The pictures laid over it; the ray tracer does not read them yet.
+    pub maps: Maps,
 }
 
 /// Where light comes from (spec 1.2.2).
@@ -188,7 +195,7 @@ pub enum Light {
     },
 }
 
-/// A sphere.
+/// A sphere. On a map, u runs once around y, from +x by way of -z, and v from the bottom (-y) up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sphere {
     /// In world space.
@@ -208,6 +215,19 @@ pub struct Plane {
     pub normal: Vec3,
     /// Which of the scene's materials.
     pub material: usize,
+    /// World units of one copy of its maps.
+    pub tile: f32,
+}
+
+impl Plane {
+    /// The directions, of length one, in which u and v of its maps grow: to the right and up for who stands before a
+    /// wall, +x and -z on a floor. (0, 0) is at [`Plane::point`], and 1 is [`Plane::tile`] from there.
+    #[must_use]
+    pub fn axes(&self) -> [Vec3; 2] {
+        let upright = if self.normal.y.abs() < 0.9 { Vec3::Y } else { Vec3::NEG_Z };
+        let right = unit(upright.cross(self.normal));
+        [right, self.normal.cross(right)]
+    }
 }
 
 /// A single triangle.
@@ -217,4 +237,11 @@ pub struct Triangle {
     pub vertices: [Vec3; 3],
     /// Which of the scene's materials.
     pub material: usize,
+    /// Where its corners lie on its maps.
+    pub uvs: [Vec2; 3],
+}
+
+impl Triangle {
+    /// A picture's lower left half.
+    pub const UVS: [Vec2; 3] = [Vec2::ZERO, Vec2::X, Vec2::Y];
 }

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3};
 use crate::film::Transfer;
 use crate::math::vector::unit;
 use crate::scene::model::{self, Content, Model};
-use crate::scene::{Mesh, Scene};
+use crate::scene::{Material, Mesh, Scene};
 use crate::tables::{Face, Map, NONE, ONE_SIDED, Paint, Vertex};
 
 /// A drawing's triangles while they are gathered.
@@ -28,21 +28,12 @@ const DOWN: u32 = 48;
 impl Sheet {
     /// The scene's materials and the decoding curve, and nothing painted with them yet.
     pub(super) fn new(scene: &Scene) -> Self {
-        let paint = |m: &crate::scene::Material| Paint {
-            color: m.color * m.local,
-            exponent: m.exponent,
-            specular: Vec3::ONE,
-            bump: 1.0,
-            diffuse_map: BARE,
-            normal_map: BARE,
-            specular_map: BARE,
-            exponent_map: BARE,
-        };
-        Self {
-            paints: scene.materials.iter().map(paint).collect(),
-            texels: (0..=255).map(|byte| scene.film.transfer.decode(byte).to_bits()).collect(),
-            ..Self::default()
-        }
+        let transfer = scene.film.transfer;
+        let texels = (0..=255).map(|byte| transfer.decode(byte).to_bits()).collect();
+        let mut sheet = Self { texels, ..Self::default() };
+        let textures: Vec<Map> = scene.textures.iter().map(|t| sheet.texture(t, transfer)).collect();
+        sheet.paints = scene.materials.iter().map(|m| cover(m, &textures)).collect();
+        sheet
     }
 
     pub(super) fn meshes(&mut self, scene: &Scene) {
@@ -134,7 +125,8 @@ impl Sheet {
         for triangle in &scene.triangles {
             let [p, q, r] = triangle.vertices;
             let normal = unit((q - p).cross(r - p));
-            self.corners(&[p, q, r], normal, triangle.material);
+            let corners: [_; 3] = std::array::from_fn(|i| (triangle.vertices[i], triangle.uvs[i]));
+            self.corners(&corners, normal, triangle.material);
         }
     }
 
@@ -143,27 +135,50 @@ impl Sheet {
         for plane in &scene.planes {
             let eye = scene.camera.position;
             let near = eye - plane.normal * plane.normal.dot(eye - plane.point);
-            let helper = if plane.normal.y.abs() < 0.9 { Vec3::Y } else { Vec3::X };
-            let right = unit(helper.cross(plane.normal)) * (scene.camera.far * 2.0);
-            let up = plane.normal.cross(right);
-            let square = [near - right - up, near + right - up, near + right + up, near - right + up];
+            let reach = scene.camera.far * 2.0;
+            let axes = plane.axes();
+            // Whole copies are left out, so that the coordinates are fine where the eye is.
+            let start = axes.map(|axis| ((near - plane.point).dot(axis) / plane.tile).fract());
+            let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|way: [f32; 2]| {
+                let position = near + axes[0] * (way[0] * reach) + axes[1] * (way[1] * reach);
+                let uv = [0, 1].map(|i| start[i] + way[i] * reach / plane.tile);
+                (position, Vec2::from_array(uv))
+            });
             self.corners(&square, plane.normal, plane.material);
         }
     }
 
-    fn corners(&mut self, positions: &[Vec3], normal: Vec3, material: usize) {
+    fn corners(&mut self, corners: &[(Vec3, Vec2)], normal: Vec3, material: usize) {
         let first = self.vertices.len() as u32;
-        self.vertices.extend(positions.iter().map(|&position| Vertex { position, u: 0.0, normal, v: 0.0 }));
-        for i in 2..positions.len() as u32 {
+        let vertex = |&(position, uv): &(Vec3, Vec2)| Vertex { position, u: uv.x, normal, v: uv.y };
+        self.vertices.extend(corners.iter().map(vertex));
+        for i in 2..corners.len() as u32 {
             self.faces.push(Face { a: first, b: first + i - 1, c: first + i, paint: material as u32 });
         }
     }
 }
 
+fn lay(map: Option<model::Map>, textures: &[Map]) -> Map {
+    map.map_or(BARE, |m| Map { scale: m.scale, shift: m.offset, ..textures[m.texture as usize] })
+}
+
+/// The scene's own material.
+fn cover(m: &Material, textures: &[Map]) -> Paint {
+    Paint {
+        color: m.color * m.local,
+        exponent: m.exponent,
+        specular: Vec3::ONE,
+        bump: m.maps.normal.map_or(1.0, |m| m.strength),
+        diffuse_map: lay(m.maps.color, textures),
+        normal_map: lay(m.maps.normal, textures),
+        specular_map: lay(m.maps.specular, textures),
+        exponent_map: BARE,
+    }
+}
+
+/// A model's.
 fn dress(m: &model::Material, textures: &[Map]) -> Paint {
-    let map = |map: Option<model::Map>| {
-        map.map_or(BARE, |m| Map { scale: m.scale, shift: m.offset, ..textures[m.texture as usize] })
-    };
+    let map = |map| lay(map, textures);
     Paint {
         color: m.diffuse,
         exponent: m.exponent,

@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use super::model::{Confined, Limits, Model, read_model};
 use super::{
-    Behavior, Camera, Error, FilmSettings, Filter, Light, Material, Mesh, Method, Plane, RasterSettings, Scene,
-    Show, Specular, TraceSettings,
+    Behavior, Camera, Error, FilmSettings, Filter, Light, Maps, Material, Mesh, Method, Plane, RasterSettings,
+    Scene, Show, Specular, TraceSettings,
 };
 use crate::film::Transfer;
 
@@ -70,13 +70,15 @@ fn around(model: Arc<Model>) -> Scene {
             exponent: 1e4,
             index: 1.5,
             behavior: Behavior::Mirror,
+            maps: Maps::default(),
         }],
+        textures: Vec::new(),
         lights: vec![
             Light::Directional { toward: direction(0.8, 1.2, 1.0), power: Vec3::splat(0.9) },
             Light::Directional { toward: direction(-1.0, 0.5, 0.6), power: Vec3::splat(0.25) },
         ],
         spheres: Vec::new(),
-        planes: vec![Plane { point: Vec3::new(0.0, low.y, 0.0), normal: Vec3::Y, material: 0 }],
+        planes: vec![Plane { point: Vec3::new(0.0, low.y, 0.0), normal: Vec3::Y, material: 0, tile: 1.0 }],
         triangles: Vec::new(),
         meshes: vec![Mesh::of(model)],
     }

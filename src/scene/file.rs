@@ -4,16 +4,18 @@
 //! point at the table's header instead of the line it belongs to. The doc comments are the reference of the
 //! format: `scenes/scene.schema.json` is made of them.
 
+mod material;
 mod raster;
 
+pub use material::{Behavior, Material};
 pub use raster::{Filter, Mesh, Raster};
 
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::value::{
-    Aspect, At, Color, Degrees, Depth, Direction, Exactly, Exponent, Index, Intensity, Length, Position, Samples,
-    Seed, Side, Weight,
+    Aspect, At, Color, Degrees, Depth, Direction, Exactly, Intensity, Length, Place, Position, Samples, Seed, Side,
+    Weight,
 };
 use crate::film::Transfer;
 
@@ -209,55 +211,8 @@ fn one() -> Intensity {
     Intensity(1.0)
 }
 
-/// What an object is made of. Its light is `local` x (light that falls on it) + `reflect` x (reflected path)
-/// + `refract` x (refracted path).
-#[derive(Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Material {
-    /// The name that objects call it by; no two alike.
-    pub name: At<String>,
-    /// Its color. White unless given.
-    #[serde(default = "white")]
-    pub color: Color,
-    /// Which way rays go on. "mirror" unless given.
-    #[serde(default)]
-    pub behavior: Behavior,
-    /// Weight of the light that falls on it directly. 1 unless given.
-    #[serde(default)]
-    #[schemars(with = "Weight")]
-    pub local: Option<Weight>,
-    /// Weight of the reflected path. 0 unless given; 1 if the behavior is "diffuse".
-    #[serde(default)]
-    #[schemars(with = "Weight")]
-    pub reflect: Option<Weight>,
-    /// Weight of the refracted path; only if the behavior is "glass", and then 1 unless given.
-    #[serde(default)]
-    #[schemars(with = "Weight")]
-    pub refract: Option<At<Weight>>,
-    /// The specular exponent k. 10 unless given.
-    #[serde(default = "ten")]
-    pub exponent: Exponent,
-    /// Refractive index; only if the behavior is "glass", and then 1.5 unless given.
-    #[serde(default)]
-    #[schemars(with = "Index")]
-    pub index: Option<At<Index>>,
-}
-
-fn ten() -> Exponent {
-    Exponent(10.0)
-}
-
-/// Which way rays go on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, serde::Serialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Behavior {
-    /// In the mirror direction, colorless.
-    #[default]
-    Mirror,
-    /// Anywhere in the hemisphere around the mirror direction, tinted.
-    Diffuse,
-    /// In the mirror direction, and refracted through the surface.
-    Glass,
+fn unit() -> Length {
+    Length(1.0)
 }
 
 /// What there is to see.
@@ -296,6 +251,10 @@ pub struct Plane {
     pub normal: Direction,
     /// The name of its material.
     pub material: At<String>,
+    /// World units that one copy of its material's pictures takes, across and up; a corner of one lies at `point`. 1
+    /// unless given.
+    #[serde(default = "unit")]
+    pub tile: Length,
 }
 
 /// A single triangle.
@@ -306,6 +265,11 @@ pub struct Triangle {
     pub vertices: At<Exactly<Position, 3>>,
     /// The name of its material.
     pub material: At<String>,
+    /// Where its corners lie on its material's pictures: 0 to 1 from left to right, and from the bottom up. [[0, 0],
+    /// [1, 0], [0, 1]] unless given.
+    #[serde(default)]
+    #[schemars(with = "Exactly<Exactly<Place, 2>, 3>")]
+    pub uvs: Option<Exactly<Exactly<Place, 2>, 3>>,
 }
 
 /// The JSON Schema of the format, for editors.

@@ -38,6 +38,7 @@ pub use budget::{Budget, Limits};
 pub use confined::{Confined, Refusal};
 pub use error::Error;
 pub use find::Finder;
+pub(super) use find::read;
 pub use warning::{Warning, Warnings};
 
 /// The index that stands for "none given": see [`Corner::uv`].

@@ -7,15 +7,16 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use super::alone::alone;
 use super::error::Complaint;
 use super::file::{self, File};
-use super::model::{Confined, Limits, Model, read_model};
+use super::maps::Pictures;
+use super::model::{Confined, Content, Limits, Map, Model, read_model};
 use super::value::At;
 use super::{
-    Behavior, Camera, Error, FilmSettings, Light, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere,
+    Behavior, Camera, Error, FilmSettings, Light, Maps, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere,
     TraceSettings, Triangle,
 };
 use crate::film::Film;
@@ -80,7 +81,9 @@ impl Resolver<'_> {
                 return self.refuse(&material.name, "two materials cannot have one name");
             }
         }
-        let materials = file.material.iter().map(|m| self.material(m, &film)).collect::<Result<_, _>>()?;
+        let mut pictures = Pictures::new(self.name);
+        let materials =
+            file.material.iter().map(|m| self.material(m, &film, &mut pictures)).collect::<Result<_, _>>()?;
         let objects = &file.object;
         let spheres = objects.sphere.iter().map(|s| {
             let material = self.named(&names, &s.material)?;
@@ -88,7 +91,7 @@ impl Resolver<'_> {
         });
         let planes = objects.plane.iter().map(|p| {
             let material = self.named(&names, &p.material)?;
-            Ok(Plane { point: p.point.0, normal: p.normal.0, material })
+            Ok(Plane { point: p.point.0, normal: p.normal.0, material, tile: p.tile.0 })
         });
         let triangles = objects.triangle.iter().map(|t| {
             let material = self.named(&names, &t.material)?;
@@ -97,7 +100,8 @@ impl Resolver<'_> {
             if (b - a).cross(c - a).length_squared() < f32::MIN_POSITIVE {
                 return self.refuse(&t.vertices, "a triangle's corners are three points not on one line");
             }
-            Ok(Triangle { vertices, material })
+            let uvs = t.uvs.map_or(Triangle::UVS, |uvs| uvs.0.map(|uv| Vec2::from_array(uv.0.map(|part| part.0))));
+            Ok(Triangle { vertices, material, uvs })
         });
         let trace = &file.trace;
         Ok(Scene {
@@ -113,6 +117,7 @@ impl Resolver<'_> {
             raster: self.raster(&file.raster, &film)?,
             meshes: self.meshes(&names, &objects.mesh)?,
             materials,
+            textures: pictures.into_textures(),
             lights: lights(&file.light, &film),
             spheres: spheres.collect::<Result<_, Error>>()?,
             planes: planes.collect::<Result<_, Error>>()?,
@@ -208,7 +213,12 @@ impl Resolver<'_> {
         Ok(FilmSettings { size, transfer: film.transfer, background: film.background.under(film.transfer) })
     }
 
-    fn material(&self, m: &file::Material, film: &FilmSettings) -> Result<Material, Error> {
+    fn material(
+        &self,
+        m: &file::Material,
+        film: &FilmSettings,
+        pictures: &mut Pictures<'_>,
+    ) -> Result<Material, Error> {
         let glass = m.behavior == Behavior::Glass;
         if let (false, Some(refract)) = (glass, &m.refract) {
             return self.refuse(refract, "only a material with behavior = \"glass\" refracts");
@@ -226,6 +236,35 @@ impl Resolver<'_> {
             exponent: m.exponent.0,
             index: m.index.as_ref().map_or(1.5, |i| i.get().0),
             behavior: m.behavior,
+            maps: self.maps(m, pictures)?,
+        })
+    }
+
+    fn maps(&self, m: &file::Material, pictures: &mut Pictures<'_>) -> Result<Maps, Error> {
+        let needs = |span: Range<usize>, what: &str| Err((self.complain)(span, what));
+        if let (None, Some(bump)) = (&m.normal_map, &m.bump) {
+            return needs(bump.span(), "only a material with a `normal_map` has a strength of it");
+        }
+        let any = m.color_map.is_some() || m.normal_map.is_some() || m.specular_map.is_some();
+        if let (false, Some(repeat)) = (any, &m.repeat) {
+            return needs(
+                repeat.span(),
+                "only a material with a `color_map`, `normal_map` or `specular_map` repeats it",
+            );
+        }
+        let scale = m.repeat.as_ref().map_or(Vec2::ONE, |r| Vec2::from_array(r.get().0.map(|n| n.0)));
+        let bump = m.bump.as_ref().map_or(1.0, |b| b.get().0);
+        let mut map = |file: &Option<At<String>>, content: Content, strength: f32| {
+            let read = file.as_ref().map(|file| {
+                let map = pictures.map(file.get(), content, strength);
+                map.map_err(|why| (self.complain)(file.span(), &why))
+            });
+            Ok(read.transpose()?.map(|map| Map { scale, ..map }))
+        };
+        Ok(Maps {
+            color: map(&m.color_map, Content::Color, 1.0)?,
+            normal: map(&m.normal_map, Content::Normal, bump)?,
+            specular: map(&m.specular_map, Content::Color, 1.0)?,
         })
     }
 

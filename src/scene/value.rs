@@ -3,7 +3,8 @@
 mod number;
 
 pub use number::{
-    Aspect, Blur, Degrees, Depth, Exponent, Index, Intensity, Length, Samples, Seed, ShadowSize, Side, Weight,
+    Aspect, Blur, Degrees, Depth, Exponent, Index, Intensity, Length, Place, Samples, Seed, ShadowSize, Side,
+    Weight,
 };
 
 use std::fmt;

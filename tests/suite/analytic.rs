@@ -5,7 +5,7 @@ use twinlight::cpu::trace::primary::primary;
 use twinlight::cpu::trace::scatter::scatter;
 use twinlight::cpu::trace::surface::Surface;
 use twinlight::math::vector::unit;
-use twinlight::scene::{Behavior, Camera, Light, Material, Plane, Scene, Sphere};
+use twinlight::scene::{Behavior, Camera, Light, Maps, Material, Plane, Scene, Sphere};
 use twinlight::tables;
 
 use super::{on_cpu, root, small, tables_of};
@@ -26,6 +26,7 @@ fn empty() -> Scene {
         exponent: 1.0,
         index: 1.5,
         behavior: Behavior::Mirror,
+        maps: Maps::default(),
     }];
     scene
 }
@@ -64,7 +65,7 @@ fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
         reflect: 0.0,
         ..empty().materials[0].clone()
     });
-    mirrored.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0 }];
+    mirrored.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0, tile: 1.0 }];
     mirrored.spheres = vec![Sphere { center: Vec3::new(1.0, 0.5, 4.0), radius: 3.5, material: 1 }];
     mirrored.lights = vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, 3.0)), power: Vec3::ONE }];
     let mut direct = mirrored.clone();
@@ -157,7 +158,7 @@ fn the_furnace_a_lamp_in_the_middle_of_a_mirror_sphere() {
 fn figure_1_11_lamberts_cosine_and_phongs_lobe_on_a_plane() {
     let mut scene = empty();
     scene.materials[0].exponent = 7.0;
-    scene.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -5.0), normal: Vec3::Z, material: 0 }];
+    scene.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -5.0), normal: Vec3::Z, material: 0, tile: 1.0 }];
     scene.lights = vec![Light::Point { position: Vec3::new(1.0, 2.0, 3.0), power: Vec3::ONE }];
     for specular in [twinlight::scene::Specular::Phong, twinlight::scene::Specular::Blinn] {
         scene.trace.specular = specular;
@@ -182,7 +183,7 @@ fn a_shadow_ends_where_geometry_says() {
     // A sphere of radius 1 halfway between a lamp and a wall: its shadow is a disk of radius 2 / sqrt(1 - 1/25).
     let mut scene = empty();
     scene.film.size = [201, 151];
-    scene.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0 }];
+    scene.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0, tile: 1.0 }];
     scene.spheres = vec![Sphere { center: Vec3::new(0.0, 8.0, -5.0), radius: 1.0, material: 0 }];
     scene.lights = vec![Light::Point { position: Vec3::new(0.0, 8.0, 0.0), power: Vec3::ONE }];
     scene.camera.position = Vec3::new(0.0, 0.0, 20.0);
@@ -238,8 +239,12 @@ fn depth_counts_rays() {
         scene.materials[0].local = 0.5;
         scene.materials[0].exponent = 0.0;
         scene.film.size = [1, 1];
-        let wall =
-            |z: f32| Plane { point: Vec3::new(0.0, 0.0, z), normal: Vec3::new(0.0, 0.0, -z.signum()), material: 0 };
+        let wall = |z: f32| Plane {
+            point: Vec3::new(0.0, 0.0, z),
+            normal: Vec3::new(0.0, 0.0, -z.signum()),
+            material: 0,
+            tile: 1.0,
+        };
         scene.planes = vec![wall(-1.0), wall(1.0)];
         scene.lights = vec![Light::Point { position: Vec3::ZERO, power: Vec3::ONE }];
         scene.camera.fov = 0.02;

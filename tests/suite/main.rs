@@ -13,6 +13,7 @@ mod fuzz;
 mod golden;
 mod layout;
 mod loops;
+mod maps;
 mod mutants;
 mod oracle;
 mod parts;
@@ -163,19 +164,25 @@ fn random_scene(number: u32) -> Scene {
             exponent: [0.0, 1.0, 7.5, 80.0][dice.below(4)],
             index: dice.within(1.0, 2.5),
             behavior: [scene::Behavior::Mirror, scene::Behavior::Diffuse, scene::Behavior::Glass][dice.below(3)],
+            maps: scene::Maps::default(),
         })
         .collect();
     scene.spheres = (0..dice.below(12))
         .map(|_| scene::Sphere { center: dice.point(4.0), radius: dice.within(0.05, 1.5), material: dice.below(4) })
         .collect();
     scene.planes = (0..dice.below(4))
-        .map(|_| scene::Plane { point: dice.point(6.0), normal: dice.direction(), material: dice.below(4) })
+        .map(|_| scene::Plane {
+            point: dice.point(6.0),
+            normal: dice.direction(),
+            material: dice.below(4),
+            tile: 1.0,
+        })
         .collect();
     scene.triangles = (0..dice.below(20))
         .map(|_| {
             let a = dice.point(5.0);
             let vertices = [a, a + dice.point(2.0), a + dice.point(2.0)];
-            scene::Triangle { vertices, material: dice.below(4) }
+            scene::Triangle { vertices, material: dice.below(4), uvs: scene::Triangle::UVS }
         })
         .collect();
     scene.lights = (0..dice.below(4))

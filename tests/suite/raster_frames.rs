@@ -6,24 +6,57 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::render::{Backend, Renderer};
-use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
+use twinlight::scene::model::{Content, Map, Texture};
+use twinlight::scene::{Filter, Light, Maps, Method, Scene, Show, Specular};
 use twinlight::tables::{NONE, ONE_SIDED};
 
 use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
 
+/// A random scene to be drawn, with pictures on its materials.
+fn painted(number: u32) -> Scene {
+    let mut dice = Dice(number, 3);
+    let mut scene = random_scene(number);
+    scene.method = Method::Raster;
+    scene.raster.shadow_size = 128;
+    scene.raster.samples = [1, 4][dice.below(2)];
+    scene.raster.blur = dice.below(3) as u32;
+    scene.raster.specular = [Specular::Phong, Specular::Blinn][dice.below(2)];
+    scene.raster.filter = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap][dice.below(3)];
+    paint(&mut scene, &mut dice);
+    scene
+}
+
 #[test]
 fn drawn_random_scenes_are_the_same_to_the_bit() {
     for number in 0..30 {
-        let mut dice = Dice(number, 3);
-        let mut scene = random_scene(number);
-        scene.method = Method::Raster;
-        scene.raster.shadow_size = 128;
-        scene.raster.samples = [1, 4][dice.below(2)];
-        scene.raster.blur = dice.below(3) as u32;
-        scene.raster.specular = [Specular::Phong, Specular::Blinn][dice.below(2)];
+        let scene = painted(number);
         let gpu = scene_on_gpu(&Sources::default(), &scene).expect("a film");
         let comparison = compare(&scene_on_cpu(&scene), &gpu, Standard::Exact).expect("one size");
         assert!(comparison.passes(), "random scene {number}: {comparison:#?}");
+    }
+}
+
+/// Pictures of noise over some of the materials.
+fn paint(scene: &mut Scene, dice: &mut Dice) {
+    let mut texture = |content| {
+        let [width, height] = [1, 1].map(|least| least + dice.below(20) as u32);
+        let texels = (0..width * height).map(|_| dice.bits().to_le_bytes()).collect();
+        Texture { file: String::new(), content, width, height, texels, has_alpha: true }
+    };
+    scene.textures = [Content::Color, Content::Normal, Content::Color].map(&mut texture).into();
+    for i in 0..scene.materials.len() {
+        let mut map = |texture| {
+            let (scale, offset) = (dice.point(3.0).truncate(), dice.point(1.0).truncate());
+            let map = Map { texture, scale, offset, clamp: false, strength: dice.within(0.0, 3.0) };
+            (dice.below(2) == 0).then_some(map)
+        };
+        scene.materials[i].maps = Maps { color: map(0), normal: map(1), specular: map(2) };
+    }
+    for plane in &mut scene.planes {
+        plane.tile = dice.within(0.3, 5.0);
+    }
+    for triangle in &mut scene.triangles {
+        triangle.uvs = [(); 3].map(|()| dice.point(2.0).truncate());
     }
 }
 
@@ -110,4 +143,34 @@ fn lights_beyond_the_room_for_shadow_maps_are_told() {
     scene.lights = vec![Light::Point { position: Vec3::new(1.0, 3.0, 2.0), power: Vec3::ONE }; 6];
     let notes = render(&scene);
     assert!(notes.len() == 1 && notes[0].starts_with("1 lights cast no shadows"), "{notes:?}");
+}
+
+/// Faults planted in the kernels that color pixels are seen by the comparison above.
+#[test]
+fn planted_faults_in_shading_are_seen() {
+    let faults = [
+        ("raster/texture", "level.height - 1 -", "level.height + 1 -"),
+        ("raster/texture", "(x % level.width + level.width) % level.width", "clamp(x, 0, level.width - 1)"),
+        ("raster/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
+        ("raster/texture", "+ map.shift", "- map.shift"),
+        ("raster/weights", "1.0 - at.y", "0.999 - at.y"),
+        ("raster/shadow", "row + j", "row"),
+        ("raster/shadow", "way.y < 0.0", "way.y > 0.0"),
+        ("raster/shade", "select(1.0, -1.0, turn < 0.0)", "1.0"),
+        ("raster/shade", "map.xy * paint.bump", "map.xy"),
+        ("raster/shade", "paint.specular_map, uv", "paint.diffuse_map, uv"),
+        ("raster/shade", "n = -n", "n = n"),
+    ];
+    let scenes: Vec<_> = (0..12).map(painted).collect();
+    let wanted: Vec<_> = scenes.iter().map(scene_on_cpu).collect();
+    for (file, right, wrong) in faults {
+        let text = Sources::default().get(file).expect("the file").into_owned();
+        assert!(text.contains(right), "{file} has no {right}");
+        let sources = Sources::default().with(file, text.replace(right, wrong));
+        let seen = scenes.iter().zip(&wanted).any(|(scene, wanted)| {
+            let gpu = scene_on_gpu(&sources, scene).expect("a film");
+            !compare(wanted, &gpu, Standard::Exact).expect("one size").passes()
+        });
+        assert!(seen, "nobody sees {wrong} in {file}");
+    }
 }

@@ -58,7 +58,7 @@ pub struct Budget {
 
 /// The budget, or the machine, has no more memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Spent;
+pub(in crate::scene) struct Spent;
 
 impl Budget {
     /// All of [`Limits::memory`].
@@ -68,7 +68,7 @@ impl Budget {
     }
 
     /// Takes `bytes`, or nothing.
-    pub(super) fn take(&mut self, bytes: u64) -> Result<(), Spent> {
+    pub(in crate::scene) fn take(&mut self, bytes: u64) -> Result<(), Spent> {
         self.left = self.left.checked_sub(bytes).ok_or(Spent)?;
         Ok(())
     }

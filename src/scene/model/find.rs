@@ -159,7 +159,7 @@ impl Gathered<'_> {
 }
 
 /// All bytes of a file, if they are at most `most`.
-pub(super) fn read(opened: Opened, most: u64) -> Result<Vec<u8>, String> {
+pub(in crate::scene) fn read(opened: Opened, most: u64) -> Result<Vec<u8>, String> {
     let too_large = || format!("it is larger than the {most} bytes that are left for it");
     if opened.bytes > most {
         return Err(too_large());

@@ -53,6 +53,10 @@ number! {
     Length, 1e-6, 1e9, "a length is a number from 1e-6 to 1e9"
 }
 number! {
+    /// A place on a picture, in pictures.
+    Place, -1e4, 1e4, "a place on a picture is a number from -1e4 to 1e4"
+}
+number! {
     /// A vertical field of view, in degrees.
     Degrees, 1.0, 179.0, "a vertical field of view is a number of degrees from 1 to 179"
 }

@@ -1,0 +1,92 @@
+//! the pictures that a scene's materials name -> textures, each once for each use, and the maps that point to them
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use glam::Vec2;
+
+use super::model::bump::{self, Kind};
+use super::model::texture::{Picture, decode};
+use super::model::{Budget, Confined, Content, Limits, Map, Texture, read};
+
+/// The pictures laid over a material; each points into [`Scene::textures`](super::Scene::textures).
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Maps {
+    /// Its color is multiplied with it.
+    pub color: Option<Map>,
+    /// Tangent space, +x along u, +y along v.
+    pub normal: Option<Map>,
+    /// The specular term is multiplied with it.
+    pub specular: Option<Map>,
+}
+
+/// The pictures of a scene, as far as they were asked for.
+pub(super) struct Pictures<'a> {
+    /// What the scene is called: pictures are looked for beside it.
+    scene: &'a Path,
+    limits: Limits,
+    budget: Budget,
+    /// Name, content and the bits of its strength -> what came of it.
+    made: HashMap<(String, Content, u32), Map>,
+    textures: Vec<Texture>,
+}
+
+impl<'a> Pictures<'a> {
+    pub(super) fn new(scene: &'a Path) -> Self {
+        let limits = Limits::default();
+        let budget = Budget::new(&limits);
+        Self { scene, limits, budget, made: HashMap::new(), textures: Vec::new() }
+    }
+
+    pub(super) fn into_textures(self) -> Vec<Texture> {
+        self.textures
+    }
+
+    /// The map for a use of a file. Unlike a model's, which many programs have written, a scene's pictures are where it
+    /// says, or there is no scene: the error is what is wrong and what would be right.
+    pub(super) fn map(&mut self, file: &str, content: Content, strength: f32) -> Result<Map, String> {
+        let key = (file.to_owned(), content, strength.to_bits());
+        if let Some(&map) = self.made.get(&key) {
+            return Ok(map);
+        }
+        let picture = self.picture(file)?;
+        let Picture { file, width, height, mut texels, .. } = picture;
+        let mut left = strength;
+        if content == Content::Normal {
+            match bump::kind(&texels) {
+                Kind::Normals => {}
+                Kind::Heights => {
+                    self.budget
+                        .take(4 * texels.len() as u64)
+                        .map_err(|_| "there is no memory left for its normals")?;
+                    texels = bump::to_normals(&texels, width, strength, false).into();
+                    left = 1.0;
+                }
+                Kind::Neither => {
+                    return Err("normals are bluish and heights are gray, and this is neither".to_owned());
+                }
+            }
+        }
+        let has_alpha = texels.iter().any(|texel| texel[3] < 255);
+        let texture = self.textures.len() as u32;
+        self.textures.push(Texture { file, content, width, height, texels, has_alpha });
+        let map = Map { texture, scale: Vec2::ONE, offset: Vec2::ZERO, clamp: false, strength: left };
+        self.made.insert(key, map);
+        Ok(map)
+    }
+
+    fn picture(&mut self, file: &str) -> Result<Picture, String> {
+        if self.textures.len() >= self.limits.textures {
+            return Err(format!("the scene has more than {} pictures", self.limits.textures));
+        }
+        let (folder, _) = Confined::around(self.scene).map_err(|why| why.to_string())?;
+        let opened = Confined::relative(Path::new(""), file).and_then(|path| folder.open(&path));
+        let opened = opened.map_err(|why| format!("{why}; {}", why.remedy()))?;
+        let bytes = read(opened, self.limits.picture_bytes)?;
+        let picture = decode(&bytes, file, &self.limits, &mut self.budget)?;
+        match picture.note {
+            Some(note) => Err(note),
+            None => Ok(picture),
+        }
+    }
+}
