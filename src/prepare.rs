@@ -113,7 +113,7 @@ fn paint(m: &Material) -> tables::Material {
 fn lamp(light: &Light) -> tables::Light {
     match *light {
         Light::Point { position, power } => tables::Light { place: position, kind: tables::POINT, power, pad: 0 },
-        Light::Directional { toward, power } => {
+        Light::Directional { toward, power, .. } => {
             tables::Light { place: toward, kind: tables::DIRECTIONAL, power, pad: 0 }
         }
     }

@@ -192,6 +192,8 @@ pub enum Light {
         toward: Vec3,
         /// Color times intensity.
         power: Vec3,
+        /// What its shadows are seen by: what this does not see is lit. A box around the scene unless given.
+        camera: Option<Camera>,
     },
 }
 

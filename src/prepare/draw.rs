@@ -6,7 +6,7 @@ use super::lens::{Pose, orthographic, perspective};
 use super::mesh::Sheet;
 use super::pose;
 use crate::math::vector::unit;
-use crate::scene::{Filter, Light, Scene, Show, Specular};
+use crate::scene::{Camera, Filter, Light, Scene, Show, Specular};
 use crate::tables::{self, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
@@ -61,18 +61,22 @@ fn bounds(sheet: &Sheet) -> Option<Bounds> {
 fn eyes(scene: &Scene) -> Vec<Lens> {
     let camera = &scene.camera;
     let size = scene.film.size;
-    let up = (camera.fov / 2.0).tan();
-    let aspect = camera.aspect.unwrap_or(size[0] as f32 / size[1] as f32);
     let side = scene.raster.samples.isqrt().max(1);
     let at = |i: u32| (i as f32 + 0.5) / side as f32 - 0.5;
-    let seat = Pose { eye: camera.position, axes: pose(camera) };
     (0..side * side)
         .map(|i| {
             let shift = [-at(i % side), -at(i / side)];
-            let lens = perspective(&seat, [up * aspect, up], [camera.near, camera.far], size, shift);
-            Lens { cull: 1, ..lens }
+            Lens { cull: 1, ..view(camera, size[0] as f32 / size[1] as f32, size, shift) }
         })
         .collect()
+}
+
+/// What a camera sees; `aspect` is its own unless it says otherwise.
+fn view(camera: &Camera, aspect: f32, size: [u32; 2], shift: [f32; 2]) -> Lens {
+    let up = (camera.fov / 2.0).tan();
+    let half = [up * camera.aspect.unwrap_or(aspect), up];
+    let seat = Pose { eye: camera.position, axes: pose(camera) };
+    perspective(&seat, half, [camera.near, camera.far], size, shift)
 }
 
 fn canvas(scene: &Scene) -> Canvas {
@@ -119,11 +123,14 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
     for light in &scene.lights {
         let (place, kind, power) = match *light {
             Light::Point { position, power } => (position, tables::POINT, power),
-            Light::Directional { toward, power } => (toward, tables::DIRECTIONAL, power),
+            Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
-        let seen = bounds.map_or(Vec::new(), |b| {
-            if kind == tables::POINT { cube(place, b, side) } else { vec![beam(place, b, side)] }
-        });
+        let seen = match (light, bounds) {
+            (Light::Directional { camera: Some(camera), .. }, _) => vec![view(camera, 1.0, [side; 2], [0.0; 2])],
+            (Light::Directional { .. }, Some(b)) => vec![beam(place, b, side)],
+            (Light::Point { .. }, Some(b)) => cube(place, b, side),
+            (_, None) => Vec::new(),
+        };
         let room = drawing.lenses.len() + seen.len() <= MOST_LENSES as usize && !seen.is_empty();
         let lens = if room { drawing.lenses.len() as u32 } else { NONE };
         drawing.lamps.push(Lamp { place, kind, power, lens });

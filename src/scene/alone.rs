@@ -74,8 +74,8 @@ fn around(model: Arc<Model>) -> Scene {
         }],
         textures: Vec::new(),
         lights: vec![
-            Light::Directional { toward: direction(0.8, 1.2, 1.0), power: Vec3::splat(0.9) },
-            Light::Directional { toward: direction(-1.0, 0.5, 0.6), power: Vec3::splat(0.25) },
+            Light::Directional { toward: direction(0.8, 1.2, 1.0), power: Vec3::splat(0.9), camera: None },
+            Light::Directional { toward: direction(-1.0, 0.5, 0.6), power: Vec3::splat(0.25), camera: None },
         ],
         spheres: Vec::new(),
         planes: vec![Plane { point: Vec3::new(0.0, low.y, 0.0), normal: Vec3::Y, material: 0, tile: 1.0 }],

@@ -201,6 +201,11 @@ pub struct DirectionalLight {
     /// How bright it is. 1 unless given.
     #[serde(default = "one")]
     pub intensity: Intensity,
+    /// What its shadows are seen by, as the spec's pseudo camera: what it does not see is lit. Its aspect is 1 unless
+    /// given. Unless it is given, a box around the scene is seen along the light.
+    #[serde(default)]
+    #[schemars(with = "Camera")]
+    pub camera: Option<At<Camera>>,
 }
 
 fn white() -> Color {

@@ -1,5 +1,7 @@
 //! scene text -> Scene: what one field alone cannot know is wrong
 
+mod material;
+
 use std::collections::HashMap;
 use std::fs;
 use std::io::Read as _;
@@ -13,11 +15,10 @@ use super::alone::alone;
 use super::error::Complaint;
 use super::file::{self, File};
 use super::maps::Pictures;
-use super::model::{Confined, Content, Limits, Map, Model, read_model};
+use super::model::{Confined, Limits, Model, read_model};
 use super::value::At;
 use super::{
-    Behavior, Camera, Error, FilmSettings, Light, Maps, Material, Mesh, Plane, RasterSettings, Scene, Show, Sphere,
-    TraceSettings, Triangle,
+    Camera, Error, FilmSettings, Light, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings, Triangle,
 };
 use crate::film::Film;
 
@@ -118,7 +119,7 @@ impl Resolver<'_> {
             meshes: self.meshes(&names, &objects.mesh)?,
             materials,
             textures: pictures.into_textures(),
-            lights: lights(&file.light, &film),
+            lights: self.lights(&file.light, &film)?,
             spheres: spheres.collect::<Result<_, Error>>()?,
             planes: planes.collect::<Result<_, Error>>()?,
             triangles: triangles.collect::<Result<_, Error>>()?,
@@ -213,59 +214,17 @@ impl Resolver<'_> {
         Ok(FilmSettings { size, transfer: film.transfer, background: film.background.under(film.transfer) })
     }
 
-    fn material(
-        &self,
-        m: &file::Material,
-        film: &FilmSettings,
-        pictures: &mut Pictures<'_>,
-    ) -> Result<Material, Error> {
-        let glass = m.behavior == Behavior::Glass;
-        if let (false, Some(refract)) = (glass, &m.refract) {
-            return self.refuse(refract, "only a material with behavior = \"glass\" refracts");
-        }
-        if let (false, Some(index)) = (glass, &m.index) {
-            return self.refuse(index, "only a material with behavior = \"glass\" has a refractive index");
-        }
-        let usual_reflect = if m.behavior == Behavior::Diffuse { 1.0 } else { 0.0 };
-        Ok(Material {
-            name: m.name.get().clone(),
-            color: m.color.under(film.transfer),
-            local: m.local.map_or(1.0, |w| w.0),
-            reflect: m.reflect.map_or(usual_reflect, |w| w.0),
-            refract: m.refract.as_ref().map_or(if glass { 1.0 } else { 0.0 }, |w| w.get().0),
-            exponent: m.exponent.0,
-            index: m.index.as_ref().map_or(1.5, |i| i.get().0),
-            behavior: m.behavior,
-            maps: self.maps(m, pictures)?,
-        })
-    }
-
-    fn maps(&self, m: &file::Material, pictures: &mut Pictures<'_>) -> Result<Maps, Error> {
-        let needs = |span: Range<usize>, what: &str| Err((self.complain)(span, what));
-        if let (None, Some(bump)) = (&m.normal_map, &m.bump) {
-            return needs(bump.span(), "only a material with a `normal_map` has a strength of it");
-        }
-        let any = m.color_map.is_some() || m.normal_map.is_some() || m.specular_map.is_some();
-        if let (false, Some(repeat)) = (any, &m.repeat) {
-            return needs(
-                repeat.span(),
-                "only a material with a `color_map`, `normal_map` or `specular_map` repeats it",
-            );
-        }
-        let scale = m.repeat.as_ref().map_or(Vec2::ONE, |r| Vec2::from_array(r.get().0.map(|n| n.0)));
-        let bump = m.bump.as_ref().map_or(1.0, |b| b.get().0);
-        let mut map = |file: &Option<At<String>>, content: Content, strength: f32| {
-            let read = file.as_ref().map(|file| {
-                let map = pictures.map(file.get(), content, strength);
-                map.map_err(|why| (self.complain)(file.span(), &why))
-            });
-            Ok(read.transpose()?.map(|map| Map { scale, ..map }))
-        };
-        Ok(Maps {
-            color: map(&m.color_map, Content::Color, 1.0)?,
-            normal: map(&m.normal_map, Content::Normal, bump)?,
-            specular: map(&m.specular_map, Content::Color, 1.0)?,
-        })
+    fn lights(&self, lights: &file::Lights, film: &FilmSettings) -> Result<Vec<Light>, Error> {
+        let power = |color: super::value::Color, intensity: f32| color.under(film.transfer) * intensity;
+        let points = lights
+            .point
+            .iter()
+            .map(|l| Ok(Light::Point { position: l.position.0, power: power(l.color, l.intensity.0) }));
+        let directional = lights.directional.iter().map(|l| {
+            let camera = l.camera.as_ref().map(|camera| self.camera(camera)).transpose()?;
+            Ok(Light::Directional { toward: l.toward.0, power: power(l.color, l.intensity.0), camera })
+        });
+        points.chain(directional).collect()
     }
 
     fn named(&self, names: &HashMap<String, usize>, name: &At<String>) -> Result<usize, Error> {
@@ -282,17 +241,6 @@ impl Resolver<'_> {
         };
         self.refuse(name, &right)
     }
-}
-
-fn lights(lights: &file::Lights, film: &FilmSettings) -> Vec<Light> {
-    let power = |color: super::value::Color, intensity: f32| color.under(film.transfer) * intensity;
-    let points =
-        lights.point.iter().map(|l| Light::Point { position: l.position.0, power: power(l.color, l.intensity.0) });
-    let directional = lights
-        .directional
-        .iter()
-        .map(|l| Light::Directional { toward: l.toward.0, power: power(l.color, l.intensity.0) });
-    points.chain(directional).collect()
 }
 
 /// Whether a film of this size fits into this machine's memory, with room for all else.

@@ -67,11 +67,13 @@ fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
     });
     mirrored.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0, tile: 1.0 }];
     mirrored.spheres = vec![Sphere { center: Vec3::new(1.0, 0.5, 4.0), radius: 3.5, material: 1 }];
-    mirrored.lights = vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, 3.0)), power: Vec3::ONE }];
+    mirrored.lights =
+        vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, 3.0)), power: Vec3::ONE, camera: None }];
     let mut direct = mirrored.clone();
     direct.planes.clear();
     direct.spheres[0].center.z = -24.0;
-    direct.lights = vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, -3.0)), power: Vec3::ONE }];
+    direct.lights =
+        vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, -3.0)), power: Vec3::ONE, camera: None }];
     let outline = |scene: &Scene| {
         let mut scene = scene.clone();
         scene.film.background = Vec3::new(0.0, 0.0, 0.25);

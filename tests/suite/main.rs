@@ -191,7 +191,7 @@ fn random_scene(number: u32) -> Scene {
             if dice.below(2) == 0 {
                 scene::Light::Point { position: dice.point(6.0), power }
             } else {
-                scene::Light::Directional { toward: dice.direction(), power }
+                scene::Light::Directional { toward: dice.direction(), power, camera: None }
             }
         })
         .collect();

@@ -7,7 +7,7 @@ use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::render::{Backend, Renderer};
 use twinlight::scene::model::{Content, Map, Texture};
-use twinlight::scene::{Filter, Light, Maps, Method, Scene, Show, Specular};
+use twinlight::scene::{Camera, Filter, Light, Maps, Method, Scene, Show, Specular, Triangle};
 use twinlight::tables::{NONE, ONE_SIDED};
 
 use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
@@ -36,7 +36,7 @@ fn drawn_random_scenes_are_the_same_to_the_bit() {
     }
 }
 
-/// Pictures of noise over some of the materials.
+/// Pictures of noise over some of the materials, and other cameras for some of the shadows.
 fn paint(scene: &mut Scene, dice: &mut Dice) {
     let mut texture = |content| {
         let [width, height] = [1, 1].map(|least| least + dice.below(20) as u32);
@@ -51,6 +51,14 @@ fn paint(scene: &mut Scene, dice: &mut Dice) {
             (dice.below(2) == 0).then_some(map)
         };
         scene.materials[i].maps = Maps { color: map(0), normal: map(1), specular: map(2) };
+    }
+    for light in &mut scene.lights {
+        if let Light::Directional { toward, camera, .. } = light
+            && dice.below(2) == 0
+        {
+            let (position, fov) = (*toward * dice.within(3.0, 9.0), dice.within(0.3, 2.0));
+            *camera = Some(Camera { position, look_at: dice.point(1.0), fov, far: 40.0, ..scene.camera.clone() });
+        }
     }
     for plane in &mut scene.planes {
         plane.tile = dice.within(0.3, 5.0);
@@ -143,6 +151,35 @@ fn lights_beyond_the_room_for_shadow_maps_are_told() {
     scene.lights = vec![Light::Point { position: Vec3::new(1.0, 3.0, 2.0), power: Vec3::ONE }; 6];
     let notes = render(&scene);
     assert!(notes.len() == 1 && notes[0].starts_with("1 lights cast no shadows"), "{notes:?}");
+}
+
+/// A light's own camera sees what is shadowed; what lies outside of its frustum, before or beside it, is lit.
+#[test]
+fn what_a_lights_camera_does_not_see_is_lit() {
+    let mut scene = small(&root().join("scenes/stones.toml"), [1, 1], 1);
+    scene.spheres.clear();
+    scene.raster.show = Show::Shadow;
+    scene.raster.blur = 0;
+    scene.camera.fov = 0.01;
+    // A roof two units above the floor, twenty wide; its shadow lies right below it.
+    let roof = [[-10.0, -10.0], [10.0, -10.0], [0.0, 20.0]].map(|[x, z]| Vec3::new(x, 2.0, z));
+    scene.triangles = vec![Triangle { vertices: roof, material: 0, uvs: Triangle::UVS }];
+    let seen = |scene: &mut Scene, x: f32| {
+        scene.camera.position = Vec3::new(x, 1.0, 0.5);
+        scene.camera.look_at = Vec3::new(x, 0.0, 0.0);
+        scene_on_cpu(scene).color(0).x
+    };
+    scene.lights = vec![Light::Directional { toward: Vec3::Y, power: Vec3::ONE, camera: None }];
+    let camera = Camera { aspect: None, fov: 1.0, near: 1.0, far: 100.0, ..scene.camera.clone() };
+    let above = Camera { position: Vec3::new(0.0, 6.0, 0.0), look_at: Vec3::ZERO, up: Vec3::Z, ..camera };
+    assert_eq!([0.0, 3.2, 3.4, 6.0, 14.0].map(|x| seen(&mut scene, x)), [0.0, 0.0, 0.0, 0.0, 1.0]);
+    // The floor is 6 below the eye, whose view reaches 6 tan(0.5) = 3.28 to each side.
+    scene.lights = vec![Light::Directional { toward: Vec3::Y, power: Vec3::ONE, camera: Some(above.clone()) }];
+    assert_eq!([0.0, 3.2, 3.4, 6.0, 14.0].map(|x| seen(&mut scene, x)), [0.0, 0.0, 1.0, 1.0, 1.0]);
+    // A roof before the near plane casts nothing.
+    let late = Camera { near: 4.5, ..above };
+    scene.lights = vec![Light::Directional { toward: Vec3::Y, power: Vec3::ONE, camera: Some(late) }];
+    assert_eq!(seen(&mut scene, 0.0), 1.0);
 }
 
 /// Faults planted in the kernels that color pixels are seen by the comparison above.

@@ -183,7 +183,7 @@ impl<'a> Recursive<'a> {
                 let way = vector(position) - point;
                 (way.normalize(), way.length(), power)
             }
-            Light::Directional { toward, power } => (vector(toward), Real::INFINITY, power),
+            Light::Directional { toward, power, .. } => (vector(toward), Real::INFINITY, power),
         };
         if n.dot(toward) <= 0.0 || !self.lit(point, toward, reach) {
             return Vector::ZERO;

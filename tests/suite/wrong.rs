@@ -69,6 +69,12 @@ fn each_fault_is_told_where_it_stands() {
         ("[8, 6]", "[8, 0]", 9, &["film.size", "found [8, 0]", "from 1 to 65536"]),
         ("[8, 6]", "[65536, 65536]", 9, &["film.size", "found [65536, 65536]", "MiB of memory"]),
         ("toward = [1, 1, 1]", "toward = [0, 0, 0]", 12, &["light.directional[0].toward", "not all zero"]),
+        (
+            "toward = [1, 1, 1]",
+            "toward = [1, 1, 1]\ncamera = { position = [2, 2, 2], look_at = [2, 2, 2] }",
+            13,
+            &["light.directional[0].camera.look_at", "not its own position"],
+        ),
         ("\"#ff0000\"", "\"red\"", 16, &["material[0].color", "found \"red\"", "\"#rrggbb\""]),
         ("color = \"#ff0000\"", "refract = 0.5", 16, &["material[0].refract", "behavior = \"glass\""]),
         ("color = \"#ff0000\"", "index = 1.5", 16, &["material[0].index", "behavior = \"glass\""]),
