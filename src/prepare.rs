@@ -1,12 +1,17 @@
 //! Scene -> Tables: what a person says, as the arrays that both backends read.
 
+pub mod bvh;
 mod draw;
+mod leaves;
 pub mod lens;
 mod mesh;
 
 pub use draw::draw;
 
 use glam::Vec3;
+
+use bvh::Bounds;
+use leaves::Leaves;
 
 use crate::math::vector::unit;
 use crate::scene::{Behavior, Camera, Light, Material, Scene, Specular};
@@ -15,7 +20,15 @@ use crate::tables::{self, Tables, View};
 /// The tables of a scene.
 #[must_use]
 pub fn prepare(scene: &Scene) -> Tables {
+    prepare_with(scene, &bvh::Binned)
+}
+
+/// The tables of a scene, whose tree someone else builds.
+#[must_use]
+pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     let material = |i: usize| i as u32;
+    let Leaves { all: leaves, tree, materials } = leaves::leaves(scene, builder);
+    let bounds = if tree.order.is_empty() { Bounds::around([Vec3::ZERO]) } else { tree.bounds };
     let mut tables = Tables {
         view: view(scene),
         settings: tables::Settings {
@@ -23,15 +36,15 @@ pub fn prepare(scene: &Scene) -> Tables {
             max_depth: scene.trace.depth,
             spheres: scene.spheres.len() as u32,
             planes: scene.planes.len() as u32,
-            triangles: scene.triangles.len() as u32,
             lights: scene.lights.len() as u32,
             specular: match scene.trace.specular {
                 Specular::Phong => tables::PHONG,
                 Specular::Blinn => tables::BLINN,
             },
+            low: bounds.low.truncate(),
             cutoff: scene.trace.cutoff,
+            high: bounds.high.truncate(),
             zero: 0,
-            pad: 0,
         },
         samples: scene.trace.samples,
         spheres: scene
@@ -50,15 +63,10 @@ pub fn prepare(scene: &Scene) -> Tables {
             .iter()
             .map(|p| tables::Plane { point: p.point, material: material(p.material), normal: p.normal, pad: 0 })
             .collect(),
-        triangles: scene
-            .triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = t.vertices;
-                tables::Triangle { a, material: material(t.material), b, pad_b: 0, c, pad_c: 0 }
-            })
-            .collect(),
-        materials: scene.materials.iter().map(paint).collect(),
+        leaves,
+        nodes: tree.nodes,
+        deep: tree.deep,
+        materials: scene.materials.iter().map(paint).chain(materials).collect(),
         lights: scene.lights.iter().map(lamp).collect(),
         few: false,
     };

@@ -110,7 +110,7 @@ impl Renderer {
         match method {
             Method::Trace => {
                 if !scene.meshes.is_empty() {
-                    notes.push("the ray tracer does not see models; --method raster draws them".to_owned());
+                    notes.push("the ray tracer sees models without their maps and with flat faces".to_owned());
                 }
                 if scene.materials.iter().any(|material| material.maps != Maps::default()) {
                     notes

@@ -3,10 +3,12 @@
 //!
 //! Each vector of three is followed by a scalar, so that no padding hides between them.
 
+mod leaf;
 mod lens;
 mod light;
 mod material;
 mod mesh;
+mod node;
 mod paint;
 mod path;
 mod piece;
@@ -15,13 +17,14 @@ mod settings;
 mod slice;
 mod sphere;
 mod status;
-mod triangle;
 mod view;
 
+pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
 pub use lens::{DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
 pub use mesh::{Face, ONE_SIDED, Vertex};
+pub use node::Node;
 pub use paint::{
     BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,
     SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
@@ -33,10 +36,9 @@ pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};
 pub use sphere::Sphere;
 pub use status::{CUT_SHORT, STACK_FULL, Status};
-pub use triangle::Triangle;
 pub use view::View;
 
-/// A scene as both sides read it. Primitives are counted through: spheres, then planes, then triangles.
+/// A scene as both sides read it. Primitives are counted through: spheres, planes, triangles, then the models' own.
 #[derive(Debug, Clone)]
 pub struct Tables {
     /// The eye and the film.
@@ -45,12 +47,16 @@ pub struct Tables {
     pub settings: Settings,
     /// Samples a pixel.
     pub samples: u32,
-    /// Primitives from number 0.
+    /// Primitives from number 0, for scenes of few things.
     pub spheres: Vec<Sphere>,
-    /// Primitives after the spheres.
+    /// Primitives after the spheres, for scenes of few things.
     pub planes: Vec<Plane>,
-    /// Primitives after the planes.
-    pub triangles: Vec<Triangle>,
+    /// All primitives: planes, then the others in the order of the tree.
+    pub leaves: Vec<Leaf>,
+    /// The tree over all primitives but planes; the root is the first.
+    pub nodes: Vec<Node>,
+    /// Nodes on the longest way from the root down: the most that a walk's stack holds.
+    pub deep: u32,
     /// What the primitives are made of.
     pub materials: Vec<Material>,
     /// Where light comes from.
@@ -85,7 +91,9 @@ impl Tables {
     pub fn are_few(&self) -> bool {
         let most = [self.spheres.len(), self.planes.len(), self.materials.len(), self.lights.len()];
         let tests = (self.spheres.len() + self.planes.len()) * (1 + self.lights.len());
-        self.triangles.is_empty() && most.into_iter().all(|count| count <= FEW) && tests <= FEW_TESTS
+        self.leaves.len() == self.spheres.len() + self.planes.len()
+            && most.into_iter().all(|count| count <= FEW)
+            && tests <= FEW_TESTS
     }
 
     /// The first [`FEW`] of everything; the rest is zero.

@@ -28,6 +28,8 @@ pub struct Paths {
     pub paths: Vec<Path>,
     /// The stacks: `max_depth` places for each pixel.
     pub waiting: Vec<Waiting>,
+    /// The stacks of walks that are put down: `deep` places for each pixel.
+    pub walks: Vec<[u32; 2]>,
     /// Red, green, blue and the number of samples in the sum.
     pub sums: Vec<[f32; 4]>,
     /// What the first ray of the first sample met.
@@ -37,12 +39,13 @@ pub struct Paths {
 impl Paths {
     /// Pixels with no sample yet.
     #[must_use]
-    pub fn new(pixels: Range<u32>, max_depth: u32) -> Self {
+    pub fn new(pixels: Range<u32>, tables: &Tables) -> Self {
         let count = pixels.len();
         Self {
             pixels,
             paths: vec![Path::zeroed(); count],
-            waiting: vec![Waiting::zeroed(); count * max_depth as usize],
+            waiting: vec![Waiting::zeroed(); count * tables.settings.max_depth as usize],
+            walks: vec![[0; 2]; count * tables.deep as usize],
             sums: vec![[0.0; 4]; count],
             ids: vec![NONE; count],
         }

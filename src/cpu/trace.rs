@@ -1,5 +1,7 @@
 //! Twins of `wgsl/trace`: the ray tracer's stages, over all cores.
 
+pub mod aim;
+pub mod boxes;
 pub mod cast;
 pub mod few;
 pub mod follow;
@@ -9,6 +11,7 @@ pub mod primary;
 pub mod scatter;
 pub mod surface;
 pub mod tree;
+pub mod unrolled;
 pub mod walk;
 
 use std::convert::Infallible;
@@ -71,7 +74,7 @@ impl Trace for CpuTrace<'_> {
     }
 
     fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
-        Ok(Paths::new(pixels, self.tables.settings.max_depth).from_sample(samples.start))
+        Ok(Paths::new(pixels, self.tables).from_sample(samples.start))
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
@@ -91,14 +94,17 @@ impl Trace for CpuTrace<'_> {
         let group = GROUP as usize;
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
-        let stacks = paths.waiting.par_chunks_mut(group * depth);
-        let told = paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, stacks))| {
-            let mut status = ONE_GROUP;
-            for ((path, stack), i) in paths.iter_mut().zip(stacks.chunks_mut(depth)).zip(g as u32 * GROUP..) {
-                follow::follow(tables, slice, i, path, stack, &mut status);
-            }
-            status
-        });
+        let deep = tables.deep as usize;
+        let stacks = paths.waiting.par_chunks_mut(group * depth).zip(paths.walks.par_chunks_mut(group * deep));
+        let told =
+            paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, (waiting, walks)))| {
+                let mut status = ONE_GROUP;
+                let stacks = waiting.chunks_mut(depth).zip(walks.chunks_mut(deep));
+                for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(g as u32 * GROUP..) {
+                    follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                }
+                status
+            });
         self.status = both(self.status, told.reduce(|| SILENT, both));
         Ok(())
     }

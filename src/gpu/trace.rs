@@ -9,8 +9,8 @@ use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
 use crate::tables::{
-    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, Plane, STACK_FULL, Settings, Slice, Sphere,
-    Status, Tables, Triangle, View, Waiting,
+    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Leaf, Light, Material, Node, Path, STACK_FULL, Settings, Slice, Status,
+    Tables, View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -27,12 +27,12 @@ pub struct GpuTrace<'a> {
     gather: Kernel,
     few: Option<Kernel>,
     max_depth: u32,
+    deep: u32,
     samples: u32,
     view: Buffer<View>,
     settings: Buffer<Settings>,
-    spheres: Buffer<Sphere>,
-    planes: Buffer<Plane>,
-    triangles: Buffer<Triangle>,
+    nodes: Buffer<Node>,
+    leaves: Buffer<Leaf>,
     materials: Buffer<Material>,
     lights: Buffer<Light>,
     scene: Buffer<Few>,
@@ -51,6 +51,7 @@ pub struct GpuPaths {
     pixels: Range<u32>,
     paths: Buffer<Path>,
     waiting: Buffer<Waiting>,
+    walks: Buffer<[u32; 2]>,
     sums: Buffer<[f32; 4]>,
     ids: Buffer<u32>,
 }
@@ -72,14 +73,14 @@ impl<'a> GpuTrace<'a> {
             ("planes", tables.planes.len()),
             ("materials", tables.materials.len()),
             ("lights", tables.lights.len()),
+            ("spheres_below", tables.spheres.len().min(1)),
+            ("deep", tables.deep as usize),
         ];
-        let few = tables.few.then(|| {
-            let counted = written_out.into_iter();
-            let counted = counted.fold(sources.clone(), |all, (kind, count)| all.with_count(kind, count as u32));
-            Kernel::new(gpu, &counted, "trace/few")
-        });
-        let depth = u64::from(tables.settings.max_depth);
-        let a_pixel = depth * size_of::<Waiting>() as u64 + size_of::<Path>() as u64;
+        let counted = written_out.into_iter();
+        let sources = &counted.fold(sources.clone(), |all, (kind, count)| all.with_count(kind, count as u32));
+        let few = tables.few.then(|| Kernel::new(gpu, sources, "trace/few"));
+        let [depth, deep] = [tables.settings.max_depth, tables.deep].map(u64::from);
+        let a_pixel = depth * size_of::<Waiting>() as u64 + deep * 8 + size_of::<Path>() as u64;
         let room = if gpu.software() { PATH_BYTES_IN_CACHE } else { PATH_BYTES };
         let pixels = (room / a_pixel).min(1 << 18) as u32;
         Ok(Self {
@@ -89,12 +90,12 @@ impl<'a> GpuTrace<'a> {
             gather: Kernel::new(gpu, sources, "trace/gather")?,
             few: few.transpose()?,
             max_depth: tables.settings.max_depth,
+            deep: tables.deep,
             samples: tables.samples,
             view: gpu.uniform("view", &tables.view)?,
             settings: gpu.uniform("settings", &tables.settings)?,
-            spheres: gpu.upload("spheres", &tables.spheres)?,
-            planes: gpu.upload("planes", &tables.planes)?,
-            triangles: gpu.upload("triangles", &tables.triangles)?,
+            nodes: gpu.upload("nodes", &tables.nodes)?,
+            leaves: gpu.upload("leaves", &tables.leaves)?,
             materials: gpu.upload("materials", &tables.materials)?,
             lights: gpu.upload("lights", &tables.lights)?,
             scene: gpu.uniform("scene", &tables.scene())?,
@@ -116,6 +117,7 @@ impl<'a> GpuTrace<'a> {
             pixels: paths.pixels.clone(),
             paths: self.gpu.upload("paths", &paths.paths)?,
             waiting: self.gpu.upload("waiting", &paths.waiting)?,
+            walks: self.gpu.upload("walks", &paths.walks)?,
             sums: self.gpu.upload("sums", &paths.sums)?,
             ids: self.gpu.upload("ids", &paths.ids)?,
         })
@@ -130,6 +132,7 @@ impl<'a> GpuTrace<'a> {
             pixels: paths.pixels.clone(),
             paths: self.gpu.read(&paths.paths)?,
             waiting: self.gpu.read(&paths.waiting)?,
+            walks: self.gpu.read(&paths.walks)?,
             sums: self.gpu.read(&paths.sums)?,
             ids: self.gpu.read(&paths.ids)?,
         })
@@ -184,12 +187,13 @@ impl Trace for GpuTrace<'_> {
         let paths = if samples.start == 0 {
             self.gpu.zeroed("paths", count)?
         } else {
-            self.gpu.upload("paths", &Paths::new(0..count as u32, 0).from_sample(samples.start).paths)?
+            self.gpu.upload("paths", &vec![Path { sample: samples.start, ..Path::zeroed() }; count])?
         };
         Ok(GpuPaths {
             pixels,
             paths,
             waiting: self.gpu.zeroed("waiting", count * self.max_depth as usize)?,
+            walks: self.gpu.zeroed("walks", count * self.deep as usize)?,
             sums: self.gpu.zeroed("sums", count)?,
             ids: self.gpu.zeroed("ids", count)?,
         })
@@ -212,9 +216,9 @@ impl Trace for GpuTrace<'_> {
         self.record(slice, |this, encoder| {
             let bindings = [
                 Binding::new("settings", &this.settings),
-                Binding::new("spheres", &this.spheres),
-                Binding::new("planes", &this.planes),
-                Binding::new("triangles", &this.triangles),
+                Binding::new("nodes", &this.nodes),
+                Binding::new("leaves", &this.leaves),
+                Binding::new("walks", &paths.walks),
                 Binding::new("materials", &this.materials),
                 Binding::new("lights", &this.lights),
                 Binding::new("view", &this.view),
@@ -292,7 +296,7 @@ impl Trace for GpuTrace<'_> {
             let why = format!("a pixel has {} of {wanted} samples", sums[short][3]);
             return Err(Error::Incomplete(why));
         }
-        Ok(Paths { pixels: paths.pixels, paths: Vec::new(), waiting: Vec::new(), sums, ids })
+        Ok(Paths { pixels: paths.pixels, paths: Vec::new(), waiting: Vec::new(), walks: Vec::new(), sums, ids })
     }
 
     fn ease(&mut self, error: Error) -> Result<(), Error> {

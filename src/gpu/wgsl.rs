@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 /// A line of this form is replaced by a file's text, the first time that the file is named.
 const IMPORT: &str = "#import ";
-/// The lines from one of this form to [`END`] are written once for each of a kind of thing, with its number in the
-/// place of [`NUMBER`]: an index that is a constant is what lavapipe reads once for all lanes, not lane by lane.
+/// The lines from one of this form to [`END`] are written once for each of a kind of thing, or so many times, with its
+/// number in the place of [`NUMBER`]: an index that is a constant is what lavapipe reads once for all lanes, not lane by lane.
 const REPEAT: &str = "#repeat ";
 const END: &str = "#end";
 const NUMBER: &str = "$i";
@@ -43,10 +43,12 @@ embed! {
     "raster/texture",
     "raster/weights",
     "shade/phong",
+    "tables/leaf",
     "tables/lens",
     "tables/light",
     "tables/material",
     "tables/mesh",
+    "tables/node",
     "tables/paint",
     "tables/path",
     "tables/piece",
@@ -55,8 +57,9 @@ embed! {
     "tables/slice",
     "tables/sphere",
     "tables/status",
-    "tables/triangle",
     "tables/view",
+    "trace/aim",
+    "trace/boxes",
     "trace/cast",
     "trace/few",
     "trace/follow",
@@ -110,7 +113,8 @@ impl Sources {
     }
 
     fn count(&self, kind: &str) -> u32 {
-        self.counts.iter().find(|(k, _)| k == kind).map_or(1, |(_, count)| *count)
+        let told = || self.counts.iter().find(|(k, _)| k == kind).map_or(1, |(_, count)| *count);
+        kind.parse().unwrap_or_else(|_| told())
     }
 }
 

@@ -10,7 +10,7 @@ use glam::Vec3;
 pub struct Path {
     /// Where the ray starts.
     pub origin: Vec3,
-    /// The primitive that the ray leaves, or [`NONE`](super::NONE): it meets itself only at the other end of a chord.
+    /// The leaf that the ray leaves, or [`NONE`](super::NONE): it meets itself only at the other end of a chord.
     pub leaves: u32,
     /// Of length one.
     pub direction: Vec3,
@@ -28,9 +28,9 @@ pub struct Path {
     pub state: u32,
     /// The sample being traced.
     pub sample: u32,
-    /// The nearest primitive so far, or [`NONE`](super::NONE).
+    /// The nearest leaf so far, or [`NONE`](super::NONE).
     pub hit: u32,
-    /// The next primitive to test.
+    /// The next plane to test; once they are, one more than these and what the walk's stack holds.
     pub next: u32,
     /// The light whose shadow ray is out.
     pub light: u32,
@@ -38,7 +38,7 @@ pub struct Path {
     pub waiting: u32,
     /// Rays taken up so far: the dimension of the next random number.
     pub rays: u32,
-    /// What the first ray met: the picture's id layer.
+    /// The number of the primitive that the first ray met: the picture's id layer.
     pub seen: u32,
 }
 
@@ -48,7 +48,7 @@ pub struct Path {
 pub struct Waiting {
     /// Where the ray starts.
     pub origin: Vec3,
-    /// The primitive that it leaves.
+    /// The leaf that it leaves.
     pub leaves: u32,
     /// Of length one.
     pub direction: Vec3,

@@ -10,22 +10,22 @@ pub struct Settings {
     pub background: Vec3,
     /// Rays in a branch, the primary one counted.
     pub max_depth: u32,
-    /// How many there are.
+    /// How many of the scene's primitives, from number 0.
     pub spheres: u32,
-    /// How many there are.
+    /// How many of them after the spheres; in the leaves they are the first.
     pub planes: u32,
-    /// How many there are.
-    pub triangles: u32,
     /// How many there are.
     pub lights: u32,
     /// [`PHONG`] or [`BLINN`].
     pub specular: u32,
+    /// The lower corner of all that lies below nodes.
+    pub low: Vec3,
     /// A path whose weight is not above this is not followed.
     pub cutoff: f32,
+    /// The upper corner.
+    pub high: Vec3,
     /// Zero, which no compiler can know: see `wgsl/math/fence.wgsl`.
     pub zero: u32,
-    /// Zero: room that WGSL asks for.
-    pub pad: u32,
 }
 
 /// The reflected light against the eye: the spec's text.

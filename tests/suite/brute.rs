@@ -1,7 +1,7 @@
 //! Against the recursive tracer in f64, which shares nothing with the twins: ray by ray and picture by picture.
 
-use twinlight::cpu::trace::meet::Ray;
-use twinlight::cpu::trace::walk::{Found, primitives, walk};
+use twinlight::cpu::trace::aim::Ray;
+use twinlight::cpu::trace::walk::{Walk, walk};
 use twinlight::scene::Behavior;
 use twinlight::tables::{FAR, NONE};
 
@@ -18,12 +18,14 @@ fn every_ray_meets_what_brute_force_meets() {
         let mut dice = Dice(number, 1 << 20);
         for _ in 0..500 {
             let ray = Ray { origin: dice.point(9.0), direction: dice.direction(), leaves: NONE };
-            let found = walk(&tables, ray, Found { t: FAR, hit: NONE, next: 0 }, primitives(&tables), false);
+            let mut stack = vec![[0; 2]; tables.deep as usize];
+            let found = walk(&tables, &mut stack, ray, Walk::new(FAR), u32::MAX, false);
+            let id = |hit: u32| tables.leaves.get(hit as usize).map_or(NONE, |leaf| leaf.id);
             let direction = vector(ray.direction).normalize();
             let nearest = oracle.nearest(vector(ray.origin), direction);
             let same = match nearest {
                 None => found.hit == NONE,
-                Some((hit, t)) => found.hit == hit as u32 && (f64::from(found.t) - t).abs() < 1e-4 * t.max(1.0),
+                Some((hit, t)) => id(found.hit) == hit as u32 && (f64::from(found.t) - t).abs() < 1e-4 * t.max(1.0),
             };
             rays += 1;
             hits += u32::from(found.hit != NONE);

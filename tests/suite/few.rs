@@ -69,7 +69,7 @@ fn the_kernel_is_the_twin_slice_by_slice() {
         let mut kernel = GpuTrace::new(&gpu, &Sources::default(), &tables).expect("kernels");
         for budget in [2, 5, 9, 200] {
             let slice = Slice { first: 0, count, samples, budget };
-            let mut paths = Paths::new(0..count, tables.settings.max_depth);
+            let mut paths = Paths::new(0..count, &tables);
             let mut done = 0;
             let mut slices = 0;
             while done < count {

@@ -4,9 +4,11 @@ use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::Film;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
+use twinlight::scene::Material;
+use twinlight::tables::NONE;
 use twinlight::trace;
 
-use super::{Sliced, on_cpu, on_gpu, random_scene, scene_on_cpu, scene_on_gpu, scenes, small, tables_of};
+use super::{Sliced, on_cpu, on_gpu, random_scene, root, scene_on_cpu, scene_on_gpu, scenes, small, tables_of};
 
 fn same(a: &Film, b: &Film, what: &str) {
     let comparison = compare(a, b, Standard::Exact).expect("one size");
@@ -36,14 +38,29 @@ fn random_scenes_are_the_same_to_the_bit() {
 }
 
 #[test]
+fn a_traced_model_is_the_same_to_the_bit() {
+    let mut scene = small(&root().join("scenes/bust.toml"), [97, 61], 4);
+    scene.materials.push(Material { reflect: 0.5, ..random_scene(1).materials.swap_remove(0) });
+    for mirrored in [None, Some(scene.materials.len() - 1)] {
+        scene.meshes[0].material = mirrored;
+        let tables = tables_of(&scene);
+        let gpu = on_gpu(&Sources::default(), &tables).expect("a film");
+        same(&on_cpu(&tables), &gpu, "the bust, traced");
+        let met = (0..gpu.pixels()).filter(|&p| gpu.id(p) != NONE).count();
+        assert!(met * 2 > gpu.pixels() as usize, "{met} pixels see something");
+    }
+}
+
+#[test]
 fn portions_do_not_show() {
-    for number in 0..12 {
-        let tables = tables_of(&random_scene(number));
+    let bust = small(&root().join("scenes/bust.toml"), [31, 23], 2);
+    for scene in (0..12).map(random_scene).chain([bust]) {
+        let tables = tables_of(&scene);
         let whole = on_cpu(&tables);
         for (budget, pixels, rounds) in [(5, 1000, 1), (6, 64, 2), (17, 65, 3), (200, 7, 1)] {
             let mut stages = Sliced { stages: CpuTrace::new(&tables), budget, pixels, rounds };
             let Ok(film) = trace::frame(&mut stages, &tables, &mut |_| ());
-            same(&whole, &film, &format!("scene {number}, budget {budget}, {pixels} pixels, {rounds} rounds"));
+            same(&whole, &film, &format!("budget {budget}, {pixels} pixels, {rounds} rounds"));
         }
     }
 }
@@ -60,7 +77,7 @@ fn samples_add_up_in_order() {
     assert_ne!(five, nine, "more samples are another film");
     // Nine samples in a run that stops after five and goes on.
     let mut stages = CpuTrace::new(&tables);
-    let mut paths = trace::Paths::new(0..nine.pixels(), tables.settings.max_depth);
+    let mut paths = trace::Paths::new(0..nine.pixels(), &tables);
     for samples in [5, 9] {
         let slice = twinlight::tables::Slice { first: 0, count: nine.pixels(), samples, budget: u32::MAX };
         for _ in 0..samples {

@@ -3,8 +3,8 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Canvas, Corner, Face, Few, Lamp, Lens, Light, Map, Material, Paint, Path, Piece, Plane, Settings, Slice,
-    Sphere, Status, Tally, Triangle, Vertex, View, Waiting,
+    self, Canvas, Corner, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Path, Piece, Plane,
+    Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
 };
 
 /// All tables in one module.
@@ -75,12 +75,16 @@ fn structs_are_the_same() {
         mirror!(module, Plane { point, material, normal, pad }),
         mirror!(
             module,
-            Settings { background, max_depth, spheres, planes, triangles, lights, specular, cutoff, zero, pad }
+            Settings { background, max_depth, spheres, planes, lights, specular, low, cutoff, high, zero }
         ),
         mirror!(module, Slice { first, count, samples, budget }),
         mirror!(module, Sphere { center, radius, material, pad_a, pad_b }),
         mirror!(module, Status { groups, pixels, flags, turns }),
-        mirror!(module, Triangle { a, material, b, pad_b, c, pad_c }),
+        mirror!(module, Leaf { a, id, b, material, c, kind }),
+        mirror!(
+            module,
+            Node { corner, steps, children, leaves, kinds, low_x, low_y, low_z, high_x, high_y, high_z }
+        ),
         mirror!(
             module,
             Lens {
@@ -152,6 +156,9 @@ fn constants_are_the_same() {
     }
     assert_eq!(value("FAR"), tables::FAR.to_bits());
     let checked = 1 + same!(
+        TRIANGLE,
+        SPHERE,
+        PLANE,
         POINT,
         DIRECTIONAL,
         MIRROR,

@@ -3,19 +3,24 @@
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Error, GpuTrace};
-use twinlight::scene::{Scene, Sphere};
+use twinlight::scene::{Plane, Scene};
 use twinlight::tables::{MOST_TURNS, Slice};
 use twinlight::trace::Trace as _;
 
 use super::{Dice, gpu, on_cpu, on_gpu, root, small, tables_of};
 
-/// More primitives than a SIMD group of lavapipe can loop over at once.
+/// More planes than a SIMD group of lavapipe can loop over at once: no tree holds them.
 fn crowded() -> Scene {
     let mut scene = small(&root().join("scenes/pyramid.toml"), [9, 7], 1);
     let mut dice = Dice(1, 0);
     scene.trace.depth = 2;
-    scene.spheres = (0..70_000)
-        .map(|_| Sphere { center: dice.point(3.0), radius: dice.within(0.002, 0.02), material: 1 })
+    scene.planes = (0..70_000)
+        .map(|_| Plane {
+            point: dice.direction() * dice.within(20.0, 90.0),
+            normal: dice.direction(),
+            material: 1,
+            tile: 1.0,
+        })
         .collect();
     scene
 }

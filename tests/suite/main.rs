@@ -5,6 +5,7 @@
 
 mod analytic;
 mod brute;
+mod bvh;
 mod cli;
 mod compare;
 mod few;

@@ -134,10 +134,6 @@ const TWINS: [(&str, &str); 5] = [
     ("trace", "cpu/trace"),
 ];
 
-/// Walk and surface once more, without loops: their twins are `walk.rs` and `surface.rs`, and `few.rs` of the tests
-/// holds them to these.
-const WRITTEN_OUT: [&str; 1] = ["trace/unrolled"];
-
 #[test]
 fn every_wgsl_file_has_a_twin_and_every_twin_its_wgsl() {
     for (wgsl, rust) in TWINS {
@@ -145,9 +141,8 @@ fn every_wgsl_file_has_a_twin_and_every_twin_its_wgsl() {
             let direct = files(&folder, ending);
             direct.iter().map(|p| p.file_stem().expect("a name").to_string_lossy().into_owned()).collect()
         };
-        let mut kernels = stems(format!("wgsl/{wgsl}"), "wgsl");
+        let kernels = stems(format!("wgsl/{wgsl}"), "wgsl");
         let twins = stems(format!("src/{rust}"), "rs");
-        kernels.retain(|stem| !WRITTEN_OUT.contains(&format!("{wgsl}/{stem}").as_str()));
         assert_eq!(kernels, twins, "wgsl/{wgsl} and src/{rust}");
     }
     let known: BTreeSet<_> = TWINS.iter().map(|(wgsl, _)| *wgsl).collect();
@@ -166,9 +161,6 @@ fn twins_open_with_the_same_arrow() {
                 text.lines().next().unwrap_or_default().to_owned()
             };
             let kernel = first(&path);
-            if WRITTEN_OUT.contains(&format!("{wgsl}/{stem}").as_str()) {
-                continue;
-            }
             let twin = first(&root().join(format!("src/{rust}/{stem}.rs")));
             assert!(kernel.starts_with("// ") && kernel.contains(" -> "), "{}: {kernel}", path.display());
             assert_eq!(kernel.trim_start_matches("// "), twin.trim_start_matches("//! "), "{wgsl}/{stem}");

@@ -2,7 +2,7 @@
 // It can be put down after any loop turn and taken up again, on either side.
 struct Path {
     origin: vec3f,
-    // The primitive that the ray leaves, or NONE: it meets itself only at the other end of a chord.
+    // The leaf that the ray leaves, or NONE: it meets itself only at the other end of a chord.
     leaves: u32,
     direction: vec3f,
     // Distance to the nearest hit so far, in lengths of `direction`.
@@ -18,9 +18,9 @@ struct Path {
     state: u32,
     // The sample being traced.
     sample: u32,
-    // The nearest primitive so far, or NONE.
+    // The nearest leaf so far, or NONE.
     hit: u32,
-    // The next primitive to test.
+    // The next plane to test; once they are, one more than these and what the walk's stack holds.
     next: u32,
     // The light whose shadow ray is out.
     light: u32,
@@ -28,7 +28,7 @@ struct Path {
     waiting: u32,
     // Rays taken up so far: the dimension of the next random number.
     rays: u32,
-    // What the first ray met: the picture's id layer.
+    // The number of the primitive that the first ray met: the picture's id layer.
     seen: u32,
 }
 

@@ -3,84 +3,89 @@
 
 @group(0) @binding(5) var<storage, read> lights: array<Light>;
 
+// The stacks of walks that are put down, DEEP places for each pixel.
+@group(0) @binding(3) var<storage, read_write> walks: array<vec2u>;
+
 fn follow(path: ptr<function, Path>, i: u32) {
     var turns = 0u;
     var spent = false;
-    while ((*path).state == SEEK || (*path).state == LIT) {
-        turns += 1u;
-        if (turns >= slice.budget) {
-            spent = true;
-            break;
-        }
-        let ray = Ray((*path).origin, (*path).direction, (*path).leaves);
-        if ((*path).state == SEEK) {
-            let from_here = (*path).next;
-            let end = min(primitives(), from_here + (slice.budget - turns));
-            let found = walk(ray, Found((*path).t, (*path).hit, from_here), end, false);
-            (*path).t = found.t;
-            (*path).hit = found.hit;
-            (*path).next = found.next;
-            turns += found.next - from_here;
-            if (found.next < end) {
-                atomicOr(&status.flags, CUT_SHORT);
+    var flags = 0u;
+    while (((*path).state == SEEK || (*path).state == LIT) && turns < slice.budget && !spent) {
+        var asked = Lit();
+        if ((*path).state == LIT) {
+            let ray = Ray((*path).origin, (*path).direction, (*path).leaves);
+            let surface = surface_at(ray, (*path).t, (*path).hit);
+            while ((*path).light < settings.lights && turns < slice.budget && asked.reach == 0.0) {
+                turns += 1u;
+                asked = lit(path, surface, lights[(*path).light]);
+                if (asked.reach == 0.0) {
+                    (*path).light += 1u;
+                }
             }
-            if (found.next < primitives()) {
-                spent = true;
+            if (asked.reach == 0.0 && (*path).light < settings.lights) {
+                if (turns < slice.budget) {
+                    flags |= CUT_SHORT;
+                }
                 break;
             }
-            if ((*path).rays == 0u) {
-                (*path).seen = found.hit;
+            if (asked.reach == 0.0) {
+                go_on(path, i, surface);
+            }
+        }
+        // The tree's own ray, or a shadow ray of its hit.
+        let own = (*path).state == SEEK;
+        var ray = asked.shadow;
+        var start = Walk(asked.reach, NONE, (*path).next, turns, 0u);
+        if (own) {
+            ray = Ray((*path).origin, (*path).direction, (*path).leaves);
+            start = Walk((*path).t, (*path).hit, (*path).next, turns, 0u);
+        } else if ((*path).state == DONE) {
+            break;
+        }
+        let put_down = i * DEEP;
+        for (var k = 0u; k + settings.planes + 1u < start.next; k += 1u) {
+            stack[k] = walks[put_down + k];
+        }
+        let found = walk(ray, start, slice.budget, !own);
+        turns = found.turns;
+        flags |= found.flags;
+        if (own) {
+            (*path).t = found.t;
+            (*path).hit = found.hit;
+        }
+        if (!over(found, !own)) {
+            for (var k = 0u; k + settings.planes + 1u < found.next; k += 1u) {
+                walks[put_down + k] = stack[k];
+            }
+            (*path).next = found.next;
+            spent = true;
+            continue;
+        }
+        (*path).next = 0u;
+        if (own) {
+            if ((*path).rays == 0u && found.hit != NONE) {
+                (*path).seen = leaves[found.hit].id;
             }
             if (found.hit == NONE) {
                 (*path).radiance += (*path).weight * settings.background;
                 turn_back(path, i);
-                continue;
+            } else {
+                (*path).state = LIT;
+                // Inside an object no light is asked (spec 2.1, step 2).
+                (*path).light = select(0u, settings.lights, (*path).inside == 1u);
             }
-            (*path).state = LIT;
-            (*path).next = 0u;
-            // Inside an object no light is asked (spec 2.1, step 2).
-            (*path).light = select(0u, settings.lights, (*path).inside == 1u);
-        }
-
-        let surface = surface_at(ray, (*path).t, (*path).hit);
-        while ((*path).light < settings.lights) {
-            turns += 1u;
-            if (turns >= slice.budget) {
-                spent = true;
-                break;
-            }
-            let asked = lit(path, surface, lights[(*path).light]);
-            if (asked.reach > 0.0) {
-                let from_here = (*path).next;
-                let end = min(primitives(), from_here + (slice.budget - turns));
-                let found = walk(asked.shadow, Found(asked.reach, NONE, from_here), end, true);
-                turns += found.next - from_here;
-                if (found.hit == NONE && found.next < end) {
-                    atomicOr(&status.flags, CUT_SHORT);
-                }
-                if (found.hit == NONE && found.next < primitives()) {
-                    (*path).next = found.next;
-                    spent = true;
-                    break;
-                }
-                if (found.hit == NONE) {
-                    (*path).radiance += asked.color;
-                }
+        } else {
+            if (found.hit == NONE) {
+                (*path).radiance += asked.color;
             }
             (*path).light += 1u;
-            (*path).next = 0u;
         }
-        if (spent) {
-            break;
-        }
-        if ((*path).light < settings.lights) {
-            atomicOr(&status.flags, CUT_SHORT);
-            break;
-        }
-        go_on(path, i, surface);
     }
-    if (!spent && ((*path).state == SEEK || (*path).state == LIT)) {
-        atomicOr(&status.flags, CUT_SHORT);
+    if (((*path).state == SEEK || (*path).state == LIT) && turns < slice.budget && !spent) {
+        flags |= CUT_SHORT;
+    }
+    if (flags != 0u) {
+        atomicOr(&status.flags, flags);
     }
     // Read before the atomic, which many would otherwise wait for.
     if (turns > atomicLoad(&status.turns)) {

@@ -1,11 +1,6 @@
 // a ray and a primitive -> the distance to where they meet, in lengths of the direction, or FAR
-
-struct Ray {
-    origin: vec3f,
-    direction: vec3f,
-    // The primitive that the ray leaves, or NONE.
-    leaves: u32,
-}
+#import "tables/leaf.wgsl"
+#import "trace/aim.wgsl"
 
 // The positive root nearest to the eye, or FAR.
 fn ahead(t: f32) -> f32 {
@@ -45,47 +40,21 @@ fn meet_plane(ray: Ray, plane: Plane) -> f32 {
     return ahead(dot(plane.normal, plane.point - ray.origin) / across);
 }
 
-// The ray in a frame in which it runs along the third axis from zero.
-struct Sheared {
-    axis: u32,
-    shear: vec3f,
-}
-
-// The axes in turn, so that the third is number `axis`; cyclic, so that no handedness changes.
-fn turned(v: vec3f, axis: u32) -> vec3f {
-    if (axis == 0u) {
-        return v.yzx;
-    }
-    if (axis == 1u) {
-        return v.zxy;
-    }
-    return v;
-}
-
-fn shear_of(direction: vec3f) -> Sheared {
-    let size = abs(direction);
-    var axis = 2u;
-    if (size.x > size.y && size.x > size.z) {
-        axis = 0u;
-    } else if (size.y > size.z) {
-        axis = 1u;
-    }
-    let d = turned(direction, axis);
-    return Sheared(axis, vec3f(d.x / d.z, d.y / d.z, 1.0 / d.z));
-}
-
 // The spec's inside test (2.3) on edge functions that neighbors share to the bit, so that no ray slips
 // between them: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
-fn meet_triangle(ray: Ray, triangle: Triangle, sheared: Sheared) -> f32 {
-    let a = turned(triangle.a - ray.origin, sheared.axis);
-    let b = turned(triangle.b - ray.origin, sheared.axis);
-    let c = turned(triangle.c - ray.origin, sheared.axis);
-    let ax = a.x - sheared.shear.x * a.z;
-    let ay = a.y - sheared.shear.y * a.z;
-    let bx = b.x - sheared.shear.x * b.z;
-    let by = b.y - sheared.shear.y * b.z;
-    let cx = c.x - sheared.shear.x * c.z;
-    let cy = c.y - sheared.shear.y * c.z;
+fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
+    let from_a = triangle.a - ray.origin;
+    let from_b = triangle.b - ray.origin;
+    let from_c = triangle.c - ray.origin;
+    let a = turned(from_a, aim.axis);
+    let b = turned(from_b, aim.axis);
+    let c = turned(from_c, aim.axis);
+    let ax = a.x - aim.shear.x * a.z;
+    let ay = a.y - aim.shear.y * a.z;
+    let bx = b.x - aim.shear.x * b.z;
+    let by = b.y - aim.shear.y * b.z;
+    let cx = c.x - aim.shear.x * c.z;
+    let cy = c.y - aim.shear.y * c.z;
     let u = cx * by - cy * bx;
     let v = ax * cy - ay * cx;
     let w = bx * ay - by * ax;
@@ -94,5 +63,16 @@ fn meet_triangle(ray: Ray, triangle: Triangle, sheared: Sheared) -> f32 {
         return FAR;
     }
     let scaled = u * a.z + v * b.z + w * c.z;
-    return ahead(scaled * sheared.shear.z / area);
+    // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box,
+    // so that no node hides what a test would find.
+    let low = min(from_a, min(from_b, from_c)) * aim.inverse;
+    let high = max(from_a, max(from_b, from_c)) * aim.inverse;
+    let near = min(low, high) - aim.own;
+    let far = max(low, high) + aim.own;
+    let enter = max(near.x, max(near.y, near.z));
+    let leave = min(far.x, min(far.y, far.z));
+    if (enter > leave) {
+        return FAR;
+    }
+    return ahead(max(enter, min(leave, scaled * aim.shear.z / area)));
 }

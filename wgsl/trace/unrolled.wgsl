@@ -16,9 +16,14 @@ const FEW: u32 = 16u;
 // The scene in registers: in a loop, lavapipe would read a buffer lane by lane.
 var<private> own: Few;
 
-// `walk` from the first primitive to the last.
+// Here a hit is a primitive's number: spheres, then planes.
+struct Found {
+    t: f32,
+    hit: u32,
+}
+
 fn nearest(ray: Ray) -> Found {
-    var found = Found(FAR, NONE, 0u);
+    var found = Found(FAR, NONE);
     let per_length_squared = 1.0 / dot(ray.direction, ray.direction);
     #repeat spheres
     {

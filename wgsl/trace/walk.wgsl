@@ -1,68 +1,135 @@
 // a ray and the scene -> its nearest hit, or the first that stands in its way
 #import "tables/sphere.wgsl"
 #import "tables/plane.wgsl"
-#import "tables/triangle.wgsl"
 #import "tables/settings.wgsl"
 #import "tables/path.wgsl"
+#import "tables/status.wgsl"
 #import "trace/meet.wgsl"
+#import "trace/boxes.wgsl"
 
-// Primitives are counted through: spheres, then planes, then triangles.
 @group(0) @binding(0) var<uniform> settings: Settings;
-@group(0) @binding(1) var<storage, read> spheres: array<Sphere>;
-@group(0) @binding(2) var<storage, read> planes: array<Plane>;
-@group(0) @binding(3) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(1) var<storage, read> nodes: array<Node>;
+// Planes, then the others in the order of the tree.
+@group(0) @binding(2) var<storage, read> leaves: array<Leaf>;
 
-struct Found {
+// Nodes on the longest way from the root down.
+const DEEP: u32 = $deep;
+
+// The children of nodes that are still to be asked: where all of a node's begin; a bit for each from bit 24 up, the
+// next one the highest; and below bit 8, which of the places hold nodes.
+var<private> stack: array<vec2u, DEEP>;
+
+// Where a walk is, and what it has found.
+struct Walk {
     // Only what is nearer than this counts; the distance to the hit once there is one.
     t: f32,
+    // The leaf, or NONE; of two at one distance the one whose number is lower.
     hit: u32,
-    // The next primitive to test.
+    // See Path.
     next: u32,
+    // Steps taken: a node or a primitive asked is one.
+    turns: u32,
+    // CUT_SHORT and STACK_FULL.
+    flags: u32,
 }
 
-fn primitives() -> u32 {
-    return settings.spheres + settings.planes + settings.triangles;
+const NODES: u32 = 0xff000000u;
+
+fn over(walk: Walk, any: bool) -> bool {
+    return walk.next == settings.planes + 1u || (any && walk.hit != NONE);
 }
 
-// Tests the primitives from `start.next` up to `end`; with `any`, stops at the first that is met.
-// Of two at one distance the one with the lower number is met, as only a nearer one replaces it.
-fn walk(ray: Ray, start: Found, end: u32, any: bool) -> Found {
-    var found = start;
+fn meet(ray: Ray, aim: Aim, per_length_squared: f32, i: u32) -> f32 {
+    #repeat spheres_below
+    if (leaves[i].kind == SPHERE) {
+        let sphere = Sphere(leaves[i].a, leaves[i].b.x, 0u, 0u, vec2u(0u));
+        return meet_sphere(ray, sphere, per_length_squared, ray.leaves == i);
+    }
+    #end
+    if (ray.leaves == i) {
+        return FAR;
+    }
+    return meet_triangle(ray, leaves[i], aim);
+}
+
+// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
+// With `any`, stops at the first that is met.
+fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
+    var walk = start;
+    while (walk.next < settings.planes && walk.turns < most && !(any && walk.hit != NONE)) {
+        let i = walk.next;
+        let t = meet_plane(ray, Plane(leaves[i].a, 0u, leaves[i].b, 0u));
+        if (t < walk.t && ray.leaves != i) {
+            walk.t = t;
+            walk.hit = i;
+        }
+        walk.next = i + 1u;
+        walk.turns += 1u;
+    }
+    if (walk.next < settings.planes) {
+        if (walk.turns < most && !(any && walk.hit != NONE)) {
+            walk.flags |= CUT_SHORT;
+        }
+        return walk;
+    }
+
+    let aim = aim_of(ray, settings.low, settings.high);
     let per_length_squared = 1.0 / dot(ray.direction, ray.direction);
-    let planes_from = settings.spheres;
-    let triangles_from = planes_from + settings.planes;
-
-    let spheres_end = min(end, planes_from);
-    while (found.next < spheres_end && !(any && found.hit != NONE)) {
-        let i = found.next;
-        let t = meet_sphere(ray, spheres[i], per_length_squared, ray.leaves == i);
-        if (t < found.t) {
-            found.t = t;
-            found.hit = i;
-        }
-        found.next = i + 1u;
+    // The number of the hit; nothing wins a tie against the reach of a ray.
+    var id = 0u;
+    if (walk.hit != NONE) {
+        id = leaves[walk.hit].id;
     }
-
-    let planes_end = min(end, triangles_from);
-    while (found.next < planes_end && !(any && found.hit != NONE)) {
-        let i = found.next;
-        let t = meet_plane(ray, planes[i - planes_from]);
-        if (t < found.t && ray.leaves != i) {
-            found.t = t;
-            found.hit = i;
+    // What of the stack is in hand; the root is the only child of nothing.
+    var group = vec2u(0u, select(0u, 0x80000000u, walk.next == settings.planes));
+    var size = max(walk.next, settings.planes + 1u) - settings.planes - 1u;
+    while (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || group.y >= 1u << 24u)) {
+        if (group.y < 1u << 24u) {
+            size -= 1u;
+            group = stack[size];
         }
-        found.next = i + 1u;
-    }
-
-    let sheared = shear_of(ray.direction);
-    while (found.next < end && !(any && found.hit != NONE)) {
-        let i = found.next;
-        let t = meet_triangle(ray, triangles[i - triangles_from], sheared);
-        if (t < found.t && ray.leaves != i) {
-            found.t = t;
-            found.hit = i;
+        let bit = firstLeadingBit(group.y);
+        group.y ^= 1u << bit;
+        if (group.y >= 1u << 24u) {
+            if (size < DEEP) {
+                stack[size] = group;
+                size += 1u;
+            } else {
+                walk.flags |= STACK_FULL;
+            }
         }
-        found.next = i + 1u;
+        let before = (1u << ((bit - 24u) ^ aim.octant)) - 1u;
+        let node = nodes[group.x + countOneBits(group.y & before)];
+        var met = boxes_met(node, ray, aim, walk.t);
+        group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
+        met &= ~NODES;
+        walk.turns += 1u;
+        while (met != 0u && !(any && walk.hit != NONE)) {
+            let i = node.leaves + firstTrailingBit(met);
+            met &= met - 1u;
+            let t = meet(ray, aim, per_length_squared, i);
+            if (t < walk.t || (t == walk.t && leaves[i].id < id)) {
+                walk.t = t;
+                walk.hit = i;
+                id = leaves[i].id;
+            }
+            walk.turns += 1u;
+        }
+        if (met != 0u && !(any && walk.hit != NONE)) {
+            walk.flags |= CUT_SHORT;
+        }
     }
-    return found;
+    if (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || group.y >= 1u << 24u)) {
+        walk.flags |= CUT_SHORT;
+    }
+    if (group.y >= 1u << 24u) {
+        if (size < DEEP) {
+            stack[size] = group;
+            size += 1u;
+        } else {
+            walk.flags |= STACK_FULL;
+        }
+    }
+    walk.next = settings.planes + 1u + size;
+    return walk;
 }

@@ -1,12 +1,11 @@
 //! pixels of a scene of few primitives -> sums on the film: cast, follow and gather for sample after sample
 
+use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::cast::cast;
 use crate::cpu::trace::gather::gather;
-use crate::cpu::trace::meet::Ray;
-use crate::cpu::trace::surface::surface_at;
 use crate::cpu::trace::tree::{go_on, lit, turn_back};
-use crate::cpu::trace::walk::{Found, primitives, walk};
-use crate::tables::{FAR, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
+use crate::cpu::trace::unrolled::{free, nearest, surface_of};
+use crate::tables::{NONE, Path, SEEK, Slice, Status, Tables, Waiting};
 
 /// Renders pixel `i` of the slice, or as much of it as the budget allows: one turn for each sample and each ray.
 pub fn few(
@@ -36,7 +35,7 @@ pub fn few(
 fn step(tables: &Tables, slice: &Slice, i: u32, path: &mut Path, waiting: &mut [Waiting], status: &mut Status) {
     let settings = &tables.settings;
     let ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
-    let found = walk(tables, ray, Found { t: FAR, hit: NONE, next: 0 }, primitives(tables), false);
+    let found = nearest(tables, ray);
     path.hit = found.hit;
     if path.rays == 0 {
         path.seen = found.hit;
@@ -46,12 +45,11 @@ fn step(tables: &Tables, slice: &Slice, i: u32, path: &mut Path, waiting: &mut [
         turn_back(path, waiting);
         return;
     }
-    let surface = surface_at(tables, ray, found.t, found.hit);
+    let surface = surface_of(tables, ray, found.t, found.hit);
     if path.inside == 0 {
         for source in &tables.lights {
             let asked = lit(tables, path, &surface, source);
-            let start = Found { t: asked.reach, hit: NONE, next: 0 };
-            if asked.reach > 0.0 && walk(tables, asked.shadow, start, primitives(tables), true).hit == NONE {
+            if asked.reach > 0.0 && free(tables, asked.shadow, asked.reach) {
                 path.radiance += asked.color;
             }
         }

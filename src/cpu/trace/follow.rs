@@ -1,87 +1,85 @@
 //! rays -> ray trees followed to their end, or for as long as the budget lasts
 
-use crate::cpu::trace::meet::Ray;
-use crate::cpu::trace::surface::surface_at;
-use crate::cpu::trace::tree::{go_on, lit, turn_back};
-use crate::cpu::trace::walk::{Found, primitives, walk};
-use crate::tables::{CUT_SHORT, LIT, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
+use glam::Vec3;
 
-/// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long.
+use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::surface::surface_at;
+use crate::cpu::trace::tree::{Lit, go_on, lit, turn_back};
+use crate::cpu::trace::walk::{Walk, walk};
+use crate::tables::{LIT, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
+
+/// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long, and `stack` its walks', `deep`
+/// long.
 pub fn follow(
     tables: &Tables,
     slice: &Slice,
     i: u32,
     path: &mut Path,
     waiting: &mut [Waiting],
+    stack: &mut [[u32; 2]],
     status: &mut Status,
 ) {
     let settings = &tables.settings;
     let mut turns = 0_u32;
-    let mut spent = false;
-    while path.state == SEEK || path.state == LIT {
-        turns += 1;
-        if turns >= slice.budget {
-            break;
-        }
-        let ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
-        if path.state == SEEK {
-            let from_here = path.next;
-            let end = primitives(tables).min(from_here.saturating_add(slice.budget - turns));
-            let found = walk(tables, ray, Found { t: path.t, hit: path.hit, next: from_here }, end, false);
-            path.t = found.t;
-            path.hit = found.hit;
-            path.next = found.next;
-            turns += found.next - from_here;
-            if found.next < end {
-                status.flags |= CUT_SHORT;
+    while (path.state == SEEK || path.state == LIT) && turns < slice.budget {
+        let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
+        let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0 };
+        if path.state == LIT {
+            let surface = surface_at(tables, own_ray, path.t, path.hit);
+            while path.light < settings.lights && turns < slice.budget && asked.reach == 0.0 {
+                turns += 1;
+                asked = lit(tables, path, &surface, &tables.lights[path.light as usize]);
+                if asked.reach == 0.0 {
+                    path.light += 1;
+                }
             }
-            if found.next < primitives(tables) {
+            if asked.reach == 0.0 && path.light < settings.lights {
                 break;
             }
-            if path.rays == 0 {
-                path.seen = found.hit;
+            if asked.reach == 0.0 {
+                go_on(tables, slice, i, &surface, path, waiting, status);
+            }
+        }
+        // The tree's own ray, or a shadow ray of its hit.
+        let own = path.state == SEEK;
+        let (ray, t, hit) = if own {
+            (Ray { origin: path.origin, direction: path.direction, leaves: path.leaves }, path.t, path.hit)
+        } else if path.state == LIT {
+            (asked.shadow, asked.reach, NONE)
+        } else {
+            break;
+        };
+        let start = Walk { t, hit, next: path.next, turns, flags: 0 };
+        let found = walk(tables, stack, ray, start, slice.budget, !own);
+        turns = found.turns;
+        status.flags |= found.flags;
+        if own {
+            path.t = found.t;
+            path.hit = found.hit;
+        }
+        if !found.over(tables, !own) {
+            path.next = found.next;
+            break;
+        }
+        path.next = 0;
+        if own {
+            if path.rays == 0 && found.hit != NONE {
+                path.seen = tables.leaves[found.hit as usize].id;
             }
             if found.hit == NONE {
                 path.radiance += path.weight * settings.background;
                 turn_back(path, waiting);
-                continue;
+            } else {
+                path.state = LIT;
+                // Inside an object no light is asked (spec 2.1, step 2).
+                path.light = if path.inside == 1 { settings.lights } else { 0 };
             }
-            path.state = LIT;
-            path.next = 0;
-            // Inside an object no light is asked (spec 2.1, step 2).
-            path.light = if path.inside == 1 { settings.lights } else { 0 };
-        }
-
-        let surface = surface_at(tables, ray, path.t, path.hit);
-        while path.light < settings.lights {
-            turns += 1;
-            if turns >= slice.budget {
-                spent = true;
-                break;
-            }
-            let asked = lit(tables, path, &surface, &tables.lights[path.light as usize]);
-            if asked.reach > 0.0 {
-                let from_here = path.next;
-                let end = primitives(tables).min(from_here.saturating_add(slice.budget - turns));
-                let start = Found { t: asked.reach, hit: NONE, next: from_here };
-                let found = walk(tables, asked.shadow, start, end, true);
-                turns += found.next - from_here;
-                if found.hit == NONE {
-                    if found.next < primitives(tables) {
-                        path.next = found.next;
-                        spent = true;
-                        break;
-                    }
-                    path.radiance += asked.color;
-                }
+        } else {
+            if found.hit == NONE {
+                path.radiance += asked.color;
             }
             path.light += 1;
-            path.next = 0;
         }
-        if spent {
-            break;
-        }
-        go_on(tables, slice, i, &surface, path, waiting, status);
     }
     status.turns = status.turns.max(turns);
 }

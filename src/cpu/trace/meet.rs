@@ -1,19 +1,7 @@
 //! a ray and a primitive -> the distance to where they meet, in lengths of the direction, or FAR
 
-use glam::Vec3;
-
-use crate::tables::{FAR, Plane, Sphere, Triangle};
-
-/// A ray in world space.
-#[derive(Debug, Clone, Copy)]
-pub struct Ray {
-    /// Where it starts.
-    pub origin: Vec3,
-    /// Which way it goes; of any length but zero.
-    pub direction: Vec3,
-    /// The primitive that the ray leaves, or [`NONE`](crate::tables::NONE).
-    pub leaves: u32,
-}
+use crate::cpu::trace::aim::{Aim, Ray, turned};
+use crate::tables::{FAR, Leaf, Plane, Sphere};
 
 fn ahead(t: f32) -> f32 {
     if t > 0.0 { t } else { FAR }
@@ -57,49 +45,19 @@ pub fn meet_plane(ray: Ray, plane: &Plane) -> f32 {
     ahead(plane.normal.dot(plane.point - ray.origin) / across)
 }
 
-/// The ray in a frame in which it runs along the third axis from zero.
-#[derive(Debug, Clone, Copy)]
-pub struct Sheared {
-    axis: u32,
-    shear: Vec3,
-}
-
-fn turned(v: Vec3, axis: u32) -> Vec3 {
-    match axis {
-        0 => Vec3::new(v.y, v.z, v.x),
-        1 => Vec3::new(v.z, v.x, v.y),
-        _ => v,
-    }
-}
-
-/// What of [`meet_triangle`] hangs on the ray alone.
-#[must_use]
-pub fn shear_of(direction: Vec3) -> Sheared {
-    let size = direction.abs();
-    let axis = if size.x > size.y && size.x > size.z {
-        0
-    } else if size.y > size.z {
-        1
-    } else {
-        2
-    };
-    let d = turned(direction, axis);
-    Sheared { axis, shear: Vec3::new(d.x / d.z, d.y / d.z, 1.0 / d.z) }
-}
-
 /// The spec's inside test (2.3) on edge functions that neighbors share to the bit, so that no ray slips between
 /// them: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+#[inline]
 #[must_use]
-pub fn meet_triangle(ray: Ray, triangle: &Triangle, sheared: Sheared) -> f32 {
-    let a = turned(triangle.a - ray.origin, sheared.axis);
-    let b = turned(triangle.b - ray.origin, sheared.axis);
-    let c = turned(triangle.c - ray.origin, sheared.axis);
-    let ax = a.x - sheared.shear.x * a.z;
-    let ay = a.y - sheared.shear.y * a.z;
-    let bx = b.x - sheared.shear.x * b.z;
-    let by = b.y - sheared.shear.y * b.z;
-    let cx = c.x - sheared.shear.x * c.z;
-    let cy = c.y - sheared.shear.y * c.z;
+pub fn meet_triangle(ray: Ray, triangle: &Leaf, aim: &Aim) -> f32 {
+    let from = [triangle.a, triangle.b, triangle.c].map(|corner| corner - ray.origin);
+    let [a, b, c] = from.map(|corner| turned(corner, aim.axis));
+    let ax = a.x - aim.shear.x * a.z;
+    let ay = a.y - aim.shear.y * a.z;
+    let bx = b.x - aim.shear.x * b.z;
+    let by = b.y - aim.shear.y * b.z;
+    let cx = c.x - aim.shear.x * c.z;
+    let cy = c.y - aim.shear.y * c.z;
     let u = cx * by - cy * bx;
     let v = ax * cy - ay * cx;
     let w = bx * ay - by * ax;
@@ -108,5 +66,16 @@ pub fn meet_triangle(ray: Ray, triangle: &Triangle, sheared: Sheared) -> f32 {
         return FAR;
     }
     let scaled = u * a.z + v * b.z + w * c.z;
-    ahead(scaled * sheared.shear.z / area)
+    // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box, so
+    // that no node hides what a test would find.
+    let low = from[0].min(from[1].min(from[2])) * aim.inverse;
+    let high = from[0].max(from[1].max(from[2])) * aim.inverse;
+    let near = low.min(high) - aim.own;
+    let far = low.max(high) + aim.own;
+    let enter = near.x.max(near.y.max(near.z));
+    let leave = far.x.min(far.y.min(far.z));
+    if enter > leave {
+        return FAR;
+    }
+    ahead(enter.max(leave.min(scaled * aim.shear.z / area)))
 }

@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use crate::cpu::trace::meet::Ray;
+use crate::cpu::trace::aim::Ray;
 use crate::math::vector::unit;
-use crate::tables::{Material, Tables};
+use crate::tables::{Material, PLANE, SPHERE, Tables};
 
 /// Where a ray has met a primitive.
 #[derive(Debug, Clone, Copy)]
@@ -21,22 +21,20 @@ pub struct Surface {
 #[must_use]
 pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
     let along = ray.origin + ray.direction * t;
-    let planes_from = tables.settings.spheres;
-    let triangles_from = planes_from + tables.settings.planes;
-    let (point, mut normal, material) = if hit < planes_from {
-        let sphere = &tables.spheres[hit as usize];
-        let normal = unit(along - sphere.center);
-        (sphere.center + normal * sphere.radius, normal, sphere.material)
-    } else if hit < triangles_from {
-        let plane = &tables.planes[(hit - planes_from) as usize];
-        (along - plane.normal * plane.normal.dot(along - plane.point), plane.normal, plane.material)
-    } else {
-        let triangle = &tables.triangles[(hit - triangles_from) as usize];
-        let normal = unit((triangle.b - triangle.a).cross(triangle.c - triangle.a));
-        (along - normal * normal.dot(along - triangle.a), normal, triangle.material)
+    let leaf = &tables.leaves[hit as usize];
+    let (point, mut normal) = match leaf.kind {
+        SPHERE => {
+            let normal = unit(along - leaf.a);
+            (leaf.a + normal * leaf.b.x, normal)
+        }
+        PLANE => (along - leaf.b * leaf.b.dot(along - leaf.a), leaf.b),
+        _ => {
+            let normal = unit((leaf.b - leaf.a).cross(leaf.c - leaf.a));
+            (along - normal * normal.dot(along - leaf.a), normal)
+        }
     };
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;
     }
-    Surface { point, normal, material: tables.materials[material as usize] }
+    Surface { point, normal, material: tables.materials[leaf.material as usize] }
 }

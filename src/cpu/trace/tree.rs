@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::cpu::shade::phong::phong;
-use crate::cpu::trace::meet::Ray;
+use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::scatter::{Branch, scatter};
 use crate::cpu::trace::surface::Surface;
 use crate::math::random::{pcg4d, unit_float};

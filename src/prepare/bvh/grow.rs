@@ -1,0 +1,105 @@
+//! boxes -> all nodes, the children of each next to each other
+
+use rayon::prelude::*;
+
+use super::pack::{Places, pack, places};
+use super::split::{Item, Part, children};
+use super::{Bounds, Builder, Tree};
+use crate::tables::Node;
+
+/// The surface area heuristic in bins, eight children at once, over all cores. The tree does not depend on how many.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Binned;
+
+/// Parts with fewer boxes than this are not worth a task.
+const TASK: usize = 4096;
+
+impl Builder for Binned {
+    fn build(&self, boxes: &[Bounds]) -> Tree {
+        let mut items: Vec<Item> =
+            boxes.par_iter().zip(0..boxes.len() as u32).map(|(b, i)| Item::new(*b, i)).collect();
+        let whole = Part::new(&items, 0..items.len());
+        let bounds = whole.bounds;
+        let grown = if items.is_empty() {
+            Grown { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 }
+        } else {
+            grow(&mut items, whole, 0)
+        };
+        Tree { nodes: grown.nodes, order: grown.order, deep: grown.deep, bounds }
+    }
+}
+
+/// A node, the first, and all that lies below it.
+struct Grown {
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+    deep: u32,
+}
+
+/// Grows a part: large children as tasks of their own, whose nodes are put together afterwards.
+fn grow(items: &mut [Item], whole: Part, level: u32) -> Grown {
+    let mut grown = Grown { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 };
+    if whole.items.len() <= TASK {
+        fill(&mut grown, 0, items, whole, level);
+        return grown;
+    }
+    let bounds = whole.bounds;
+    let parts = children(items, whole, level);
+    let places = places(&parts, bounds);
+    grown.nodes[0] = begin(&mut grown, &places, bounds, items);
+    let mut tasks: Vec<(usize, &Part, &mut [Item])> = Vec::new();
+    let mut in_order: Vec<(usize, &Part)> =
+        places.iter().enumerate().filter_map(|(i, part)| Some((i, (*part)?))).collect();
+    in_order.sort_by_key(|(_, part)| part.items.start);
+    let mut rest = items;
+    for (i, part) in in_order {
+        let (own, after) = rest.split_at_mut(part.items.len());
+        rest = after;
+        if !part.is_leaf() {
+            tasks.push((i, part, own));
+        }
+    }
+    tasks.sort_by_key(|(i, ..)| *i);
+    let below: Vec<Grown> =
+        tasks.into_par_iter().map(|(_, part, items)| grow(items, part.alone(), level + 1)).collect();
+    for (below, child) in below.into_iter().zip(1..) {
+        let (first_node, first_leaf) = (grown.nodes.len() as u32 - 1, grown.order.len() as u32);
+        let moved =
+            |node: &Node| Node { children: node.children + first_node, leaves: node.leaves + first_leaf, ..*node };
+        let mut nodes = below.nodes.iter().map(moved);
+        grown.nodes[child] = nodes.next().unwrap_or_else(bytemuck::Zeroable::zeroed);
+        grown.nodes.extend(nodes);
+        grown.order.extend(below.order);
+        grown.deep = grown.deep.max(1 + below.deep);
+    }
+    grown
+}
+
+/// Grows a part at a node that has its place already.
+fn fill(grown: &mut Grown, at: usize, items: &mut [Item], whole: Part, level: u32) -> u32 {
+    let bounds = whole.bounds;
+    let parts = children(items, whole, level);
+    let places = places(&parts, bounds);
+    let first = grown.nodes.len();
+    grown.nodes[at] = begin(grown, &places, bounds, items);
+    let inner = places.iter().flatten().filter(|part| !part.is_leaf());
+    let mut deep = 0;
+    for (part, child) in inner.zip(first..) {
+        deep = deep.max(fill(grown, child, items, (*part).clone(), level + 1));
+    }
+    grown.deep = grown.deep.max(deep + 1);
+    deep + 1
+}
+
+/// A node, with room for its children and its leaves in their order.
+fn begin(grown: &mut Grown, places: &Places<'_>, bounds: Bounds, items: &[Item]) -> Node {
+    let node = pack(places, bounds, grown.nodes.len() as u32, grown.order.len() as u32);
+    for part in places.iter().flatten() {
+        if part.is_leaf() {
+            grown.order.extend(items[part.items.clone()].iter().map(Item::number));
+        } else {
+            grown.nodes.push(bytemuck::Zeroable::zeroed());
+        }
+    }
+    node
+}

@@ -1,0 +1,28 @@
+//! Twin of `wgsl/tables/leaf.wgsl`.
+
+use glam::Vec3;
+
+/// A primitive of any kind in world space.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Leaf {
+    /// A triangle's first corner, a sphere's center, a plane's point.
+    pub a: Vec3,
+    /// Its number in the scene.
+    pub id: u32,
+    /// A triangle's second corner, a plane's normal; a sphere's radius in x.
+    pub b: Vec3,
+    /// Which of the materials.
+    pub material: u32,
+    /// A triangle's third corner.
+    pub c: Vec3,
+    /// [`TRIANGLE`], [`SPHERE`] or [`PLANE`].
+    pub kind: u32,
+}
+
+/// Three corners.
+pub const TRIANGLE: u32 = 0;
+/// A center and a radius.
+pub const SPHERE: u32 = 1;
+/// A point and a normal; not below any node.
+pub const PLANE: u32 = 2;

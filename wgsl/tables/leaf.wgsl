@@ -1,0 +1,19 @@
+// A primitive of any kind in world space.
+struct Leaf {
+    // A triangle's first corner, a sphere's center, a plane's point.
+    a: vec3f,
+    // Its number in the scene.
+    id: u32,
+    // A triangle's second corner, a plane's normal; a sphere's radius in x.
+    b: vec3f,
+    // Which of the materials.
+    material: u32,
+    // A triangle's third corner.
+    c: vec3f,
+    // TRIANGLE, SPHERE or PLANE.
+    kind: u32,
+}
+
+const TRIANGLE: u32 = 0u;
+const SPHERE: u32 = 1u;
+const PLANE: u32 = 2u;

@@ -1,0 +1,58 @@
+// a ray and a node -> which of the node's children it may meet up to t, in the order in which they are to be asked
+#import "tables/node.wgsl"
+#import "trace/aim.wgsl"
+
+fn bytes(word: u32) -> vec4u {
+    return (vec4u(word) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u);
+}
+
+// Where the ray is on one axis: at `near + step * byte` it crosses a near side, at `far + step * byte` a far one.
+struct Axis {
+    step: f32,
+    near: f32,
+    far: f32,
+}
+
+fn axis_of(exponent: u32, corner: f32, inverse: f32, slack: f32) -> Axis {
+    let at = corner * inverse;
+    return Axis(bitcast<f32>(exponent << 23u) * inverse, at - slack, at + slack);
+}
+
+// Two ranks of bits: a node's child at 24 and its place, a leaf's primitives at their numbers.
+fn bits_of(kinds: u32, octant: u32) -> vec4u {
+    let kind = bytes(kinds);
+    let number = kind & vec4u(31u);
+    let place = number ^ select(vec4u(0u), vec4u(octant), number >= vec4u(24u));
+    return (kind >> vec4u(5u)) << place;
+}
+
+fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
+    let exponents = bytes(node.steps);
+    let corner = node.corner - ray.origin;
+    let x = axis_of(exponents.x, corner.x, aim.inverse.x, aim.slack.x);
+    let y = axis_of(exponents.y, corner.y, aim.inverse.y, aim.slack.y);
+    let z = axis_of(exponents.z, corner.z, aim.inverse.z, aim.slack.z);
+    let back = aim.inverse < vec3f(0.0);
+    let near_x = select(node.low_x, node.high_x, back.x);
+    let near_y = select(node.low_y, node.high_y, back.y);
+    let near_z = select(node.low_z, node.high_z, back.z);
+    let far_x = select(node.high_x, node.low_x, back.x);
+    let far_y = select(node.high_y, node.low_y, back.y);
+    let far_z = select(node.high_z, node.low_z, back.z);
+    var met = 0u;
+    #repeat 2
+    {
+        let enter_x = vec4f(bytes(near_x[$i])) * x.step + x.near;
+        let enter_y = vec4f(bytes(near_y[$i])) * y.step + y.near;
+        let enter_z = vec4f(bytes(near_z[$i])) * z.step + z.near;
+        let leave_x = vec4f(bytes(far_x[$i])) * x.step + x.far;
+        let leave_y = vec4f(bytes(far_y[$i])) * y.step + y.far;
+        let leave_z = vec4f(bytes(far_z[$i])) * z.step + z.far;
+        let enter = max(max(enter_x, enter_y), max(enter_z, vec4f(0.0)));
+        let leave = min(min(leave_x, leave_y), min(leave_z, vec4f(t)));
+        let bits = select(vec4u(0u), bits_of(node.kinds[$i], aim.octant), enter <= leave);
+        met |= (bits.x | bits.y) | (bits.z | bits.w);
+    }
+    #end
+    return met;
+}
