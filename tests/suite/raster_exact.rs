@@ -12,13 +12,14 @@ use twinlight::prepare::lens::{Pose, perspective};
 use twinlight::raster::{Raster, draw};
 use twinlight::tables::{Canvas, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint, Piece, Vertex};
 
+use super::raster_shrink::{shrink, text};
 use super::{Dice, gpu};
 
 /// How many drawings are compared.
 const DRAWINGS: u32 = 10_000;
 
 /// Triangles of every kind before an eye at the origin that looks along -z.
-fn random_drawing(number: u32) -> Drawing {
+pub(super) fn random_drawing(number: u32) -> Drawing {
     let mut dice = Dice(number, 1);
     let size = [[33, 17], [64, 48], [1, 1], [100, 7], [48, 80]][dice.below(5)];
     let pose = Pose { eye: Vec3::ZERO, axes: [Vec3::X, Vec3::Y, Vec3::Z] };
@@ -71,7 +72,7 @@ fn random_drawing(number: u32) -> Drawing {
     }
 }
 
-fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
+pub(super) fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
     let lens = &drawing.eyes[0];
     let mut cpu = CpuRaster::new(drawing);
     let Ok(mut image) = cpu.clear(lens.pixels() as usize, lens.pixels() as usize);
@@ -82,7 +83,12 @@ fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
 }
 
 /// What a GPU draws, with each stage's output beside the CPU's.
-fn on_gpu(gpu: &Gpu, kernels: &GpuRaster<'_>, drawing: &Drawing, room: usize) -> Result<[Vec<u32>; 2], Error> {
+pub(super) fn on_gpu(
+    gpu: &Gpu,
+    kernels: &GpuRaster<'_>,
+    drawing: &Drawing,
+    room: usize,
+) -> Result<[Vec<u32>; 2], Error> {
     let lens = &drawing.eyes[0];
     let mut stages = kernels.again(drawing)?.with_room(room)?;
     let mut image = stages.clear(lens.pixels() as usize, lens.pixels() as usize)?;
@@ -143,9 +149,9 @@ fn raster_decides_the_same() {
         let room = [1024, 1, 3][number as usize % 3];
         let found = on_gpu(&gpu, &kernels, &drawing, room).unwrap_or_else(|e| panic!("{number}: {e}"));
         let (_, wanted) = on_cpu(&drawing);
-        for (what, (found, wanted)) in ["depths", "ids"].iter().zip(found.iter().zip(&wanted)) {
-            let different = found.iter().zip(wanted).filter(|(f, w)| f != w).count();
-            assert_eq!(different, 0, "{what} of drawing {number}");
+        if found != wanted {
+            let fails = |d: &Drawing| on_gpu(&gpu, &kernels, d, room).is_ok_and(|found| found != on_cpu(d).1);
+            panic!("drawing {number} differs, and so does this one:\n{}", text(&shrink(&drawing, fails)));
         }
         drawn += wanted[1].iter().filter(|id| **id != NONE).count();
         assert!(wanted[0].iter().zip(&wanted[1]).all(|(d, id)| (*d == NO_DEPTH) == (*id == NONE)));
