@@ -1,13 +1,19 @@
 //! The film: all that a renderer may write, and the only thing that knows how to become a file.
 
 pub mod compare;
+mod moving;
 mod save;
+mod stamp;
 mod transfer;
 mod watch;
 
-pub use save::{Error, Format, write_whole};
+pub use moving::Moving;
+pub use save::{Error, Format, replace, write_whole};
+pub use stamp::stamp_of;
 pub use transfer::{Transfer, decode_hex};
 pub use watch::{Run, Watch};
+
+use std::ops::Range;
 
 use glam::Vec3;
 
@@ -62,6 +68,24 @@ impl Film {
         let first = first as usize;
         self.sums[first..first + sums.len()].copy_from_slice(sums);
         self.ids[first..first + ids.len()].copy_from_slice(ids);
+    }
+
+    /// A rectangle of it.
+    ///
+    /// # Panics
+    /// If it reaches past an edge.
+    #[must_use]
+    pub fn cut(self, columns: Range<u32>, rows: Range<u32>) -> Self {
+        if columns.len() as u32 == self.width && rows.len() as u32 == self.height {
+            return self;
+        }
+        let mut film = Self::new(columns.len() as u32, rows.len() as u32);
+        for (row, to) in rows.zip(0..) {
+            let from = (row * self.width + columns.start) as usize;
+            let run = from..from + columns.len();
+            film.put(to * film.width, &self.sums[run.clone()], &self.ids[run]);
+        }
+        film
     }
 
     /// The mean of a pixel's samples, linear; black where there is none.

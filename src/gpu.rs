@@ -14,6 +14,7 @@ pub use kernel::{Binding, Kernel, parse};
 pub use raster::{GpuImage, GpuRaster};
 pub use trace::{GpuPaths, GpuTrace};
 
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -22,6 +23,9 @@ use std::time::Duration;
 /// How long a wait for the device may take: a liveness guard, not a budget. Slices are cut to a quarter of a
 /// second; the rest is for a machine that does a hundred other things.
 const PATIENCE: Duration = Duration::from_mins(1);
+
+/// Kernels that are remembered.
+const MOST_KERNELS: usize = 64;
 
 /// Which adapter to use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -121,6 +125,8 @@ pub struct Gpu {
     adapter: Adapter,
     lost: Arc<AtomicBool>,
     complaint: Arc<Mutex<Option<String>>>,
+    /// By their joined source.
+    kernels: Mutex<HashMap<String, Kernel>>,
 }
 
 impl Gpu {
@@ -150,7 +156,21 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
-        Ok(Self { device, queue, adapter, lost, complaint })
+        Ok(Self { device, queue, adapter, lost, complaint, kernels: Mutex::default() })
+    }
+
+    /// The kernel that was built of this text.
+    fn built(&self, text: &str) -> Option<Kernel> {
+        self.kernels.lock().unwrap_or_else(PoisonError::into_inner).get(text).cloned()
+    }
+
+    fn remember(&self, text: String, kernel: &Kernel) {
+        let mut kernels = self.kernels.lock().unwrap_or_else(PoisonError::into_inner);
+        // Kernels that are written out for a scene are as many as there are scenes.
+        if kernels.len() >= MOST_KERNELS {
+            kernels.clear();
+        }
+        kernels.insert(text, kernel.clone());
     }
 
     /// The adapter behind it.

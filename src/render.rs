@@ -1,19 +1,17 @@
 //! A scene, a method and a backend -> a film. The only place that knows both backends.
 
+mod work;
+
+pub use work::{Digest, Work};
+
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use crate::cpu::raster::CpuRaster;
-use crate::cpu::trace::CpuTrace;
 use crate::film::{Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
-use crate::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
+use crate::gpu::{self, Gpu, Wanted};
 use crate::prepare::lens::LONGEST_SIDE;
-use crate::prepare::{draw, prepare};
-use crate::raster;
-use crate::scene::{Maps, Method, Scene};
-use crate::tables::{MOST_LENSES, NONE};
-use crate::trace;
+use crate::scene::{Method, Scene};
 
 /// Where the work is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -36,6 +34,9 @@ pub enum Error {
     /// A film that fixed-point coordinates do not reach across.
     #[error("a film of {}x{} is too large for the rasterizer: a side has at most {LONGEST_SIDE} pixels", .0[0], .0[1])]
     TooLarge([u32; 2]),
+    /// A rectangle that is not within the picture.
+    #[error("the part lies outside the picture, which has {}x{} pixels", .0[0], .0[1])]
+    Outside([u32; 2]),
     /// Whoever watched it wanted no more of it.
     #[error("stopped")]
     Stopped,
@@ -97,6 +98,15 @@ impl Renderer {
         self.gpu.as_ref()
     }
 
+    /// Who makes the same bits: the CPU and the adapters that compute as it does are one class, any other is its own.
+    #[must_use]
+    pub fn class(&self) -> String {
+        match &self.gpu {
+            Some(gpu) if !gpu.exact() => format!("{} {}", gpu.adapter().name, gpu.adapter().driver),
+            _ => "exact".to_owned(),
+        }
+    }
+
     /// Renders a scene. `watch` is told the fraction done, and may stop it.
     ///
     /// With [`Backend::Auto`] a GPU that fails is left for the CPU, and that becomes a note.
@@ -104,62 +114,20 @@ impl Renderer {
     /// # Errors
     /// If the GPU alone is allowed and fails, or `watch` stops the work.
     pub fn render(&mut self, scene: &Scene, method: Method, watch: &mut dyn Watch) -> Result<Rendered, Error> {
-        let mut notes = std::mem::take(&mut self.notes);
-        let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
-        notes.extend(warnings.map(ToString::to_string));
-        match method {
-            Method::Trace => {
-                if !scene.meshes.is_empty() {
-                    notes.push("the ray tracer sees models without their maps and with flat faces".to_owned());
-                }
-                if scene.materials.iter().any(|material| material.maps != Maps::default()) {
-                    notes
-                        .push("the ray tracer does not see materials' maps; --method raster draws them".to_owned());
-                }
-                let tables = prepare(scene);
-                let on_gpu = |gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch| {
-                    trace::frame(&mut GpuTrace::new(gpu, sources, &tables)?, &tables, watch)
-                };
-                self.make(notes, watch, on_gpu, |watch| {
-                    let Ok(film) = trace::frame(&mut CpuTrace::new(&tables), &tables, watch);
-                    film
-                })
-            }
-            Method::Raster => {
-                if scene.film.size.iter().any(|side| *side > LONGEST_SIDE) {
-                    return Err(Error::TooLarge(scene.film.size));
-                }
-                let drawing = draw(scene);
-                let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
-                if bare > 0 && !drawing.faces.is_empty() {
-                    notes.push(format!(
-                        "{bare} lights cast no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \
-                         takes six"
-                    ));
-                }
-                let on_gpu = |gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch| {
-                    raster::frame(&mut GpuRaster::new(gpu, sources, &drawing)?, &drawing, watch)
-                };
-                self.make(notes, watch, on_gpu, |watch| {
-                    let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, watch);
-                    film
-                })
-            }
-        }
+        self.make(&Work::new(scene, method)?, watch)
     }
 
-    /// The one or the other, as the backend wants it.
-    fn make(
-        &mut self,
-        mut notes: Vec<String>,
-        watch: &mut dyn Watch,
-        on_gpu: impl FnOnce(&Gpu, &Sources, &mut dyn Watch) -> Result<Film, gpu::Error>,
-        on_cpu: impl FnOnce(&mut dyn Watch) -> Film,
-    ) -> Result<Rendered, Error> {
+    /// Does work that is made ready.
+    ///
+    /// # Errors
+    /// If the GPU alone is allowed and fails, or `watch` stops the work.
+    pub fn make(&mut self, work: &Work, watch: &mut dyn Watch) -> Result<Rendered, Error> {
         let start = Instant::now();
+        let mut notes = std::mem::take(&mut self.notes);
+        notes.extend_from_slice(&work.notes);
         let mut watch = Noticed { watch, stopped: false };
         if let Some(gpu) = &self.gpu {
-            match on_gpu(gpu, &self.sources, &mut watch) {
+            match work.on_gpu(gpu, &self.sources, &mut watch) {
                 Ok(_) if watch.stopped => return Err(Error::Stopped),
                 Ok(film) => {
                     let by = gpu.adapter().name.clone();
@@ -172,7 +140,7 @@ impl Renderer {
                 Err(error) => return Err(error.into()),
             }
         }
-        let film = on_cpu(&mut watch);
+        let film = work.on_cpu(&mut watch);
         if watch.stopped {
             return Err(Error::Stopped);
         }

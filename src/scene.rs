@@ -4,19 +4,22 @@
 //! field, what was found and what would be right. A [`Scene`] that exists can be rendered.
 
 mod alone;
+mod animate;
 mod error;
 pub mod file;
 mod maps;
 mod mesh;
 pub mod model;
+mod place;
 mod resolve;
+mod source;
 pub mod value;
 
 pub use error::Error;
 pub use file::{Behavior, Filter, Method, Specular};
 pub use maps::Maps;
 pub use mesh::Mesh;
-pub use resolve::{load, parse};
+pub use source::{Reach, Source, load, parse};
 
 use glam::{Vec2, Vec3};
 

@@ -96,6 +96,22 @@ impl Tables {
             && tests <= FEW_TESTS
     }
 
+    /// All bytes that a picture hangs on, part by part.
+    pub fn each_bytes(&self, to: &mut dyn FnMut(&[u8])) {
+        // Taken apart by name, so that what is added to the tables is not forgotten here.
+        let Self { view, settings, samples, spheres, planes, leaves, nodes, deep: _, materials, lights, few: _ } =
+            self;
+        to(bytemuck::bytes_of(view));
+        to(bytemuck::bytes_of(settings));
+        to(bytemuck::bytes_of(samples));
+        to(bytemuck::cast_slice(spheres));
+        to(bytemuck::cast_slice(planes));
+        to(bytemuck::cast_slice(leaves));
+        to(bytemuck::cast_slice(nodes));
+        to(bytemuck::cast_slice(materials));
+        to(bytemuck::cast_slice(lights));
+    }
+
     /// The first [`FEW`] of everything; the rest is zero.
     #[must_use]
     pub fn scene(&self) -> Few {
@@ -133,6 +149,19 @@ pub struct Drawing {
 }
 
 impl Drawing {
+    /// All bytes that a picture hangs on, part by part.
+    pub fn each_bytes(&self, to: &mut dyn FnMut(&[u8])) {
+        let Self { eyes, lenses, canvas, vertices, faces, paints, lamps, texels } = self;
+        to(bytemuck::cast_slice(eyes));
+        to(bytemuck::cast_slice(lenses));
+        to(bytemuck::bytes_of(canvas));
+        to(bytemuck::cast_slice(vertices));
+        to(bytemuck::cast_slice(faces));
+        to(bytemuck::cast_slice(paints));
+        to(bytemuck::cast_slice(lamps));
+        to(bytemuck::cast_slice(texels));
+    }
+
     /// Words of all the lights' depths.
     #[must_use]
     pub fn shadow_words(&self) -> usize {

@@ -125,9 +125,11 @@ pub trait Trace {
 /// Samples that are summed on their own before they are added to those before them.
 pub const BLOCK: u32 = 64;
 
-/// The part of a frame that is made: some rows of it, and of each pixel some samples.
+/// The part of a frame that is made: a rectangle of it, and of each pixel some samples.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Part {
+    /// Columns from the left.
+    pub columns: Range<u32>,
     /// Rows from the top.
     pub rows: Range<u32>,
     /// Samples; from a multiple of [`BLOCK`].
@@ -138,7 +140,7 @@ impl Part {
     /// All of a frame.
     #[must_use]
     pub fn whole(tables: &Tables) -> Self {
-        Self { rows: 0..tables.view.height, samples: 0..tables.samples }
+        Self { columns: 0..tables.view.width, rows: 0..tables.view.height, samples: 0..tables.samples }
     }
 }
 
@@ -150,7 +152,7 @@ pub fn frame<T: Trace>(stages: &mut T, tables: &Tables, watch: &mut dyn Watch) -
     part(stages, tables, &Part::whole(tables), watch)
 }
 
-/// A part of a frame, as a film of its rows.
+/// A part of a frame, as a film of its rectangle.
 ///
 /// # Errors
 /// The backend's, once smaller portions no longer help.
@@ -160,29 +162,38 @@ pub fn part<T: Trace>(
     part: &Part,
     watch: &mut dyn Watch,
 ) -> Result<Film, T::Error> {
-    let width = tables.view.width;
-    let mut film = Film::new(width, part.rows.len() as u32);
-    let (top, end) = (part.rows.start * width, part.rows.end * width);
-    let mut first = top;
+    let Part { columns, rows, samples } = part;
+    let mut film = Film::new(columns.len() as u32, rows.len() as u32);
+    // Rows that are wanted whole follow each other; of others each is a run of its own.
+    let (runs, length) = if columns.len() as u32 == tables.view.width {
+        (1, film.pixels())
+    } else {
+        (rows.len() as u32, film.width())
+    };
     let mut eased = false;
-    while first < end {
-        // What was kept before a failure is as long as what failed.
-        let kept = if eased { None } else { watch.kept(first) };
-        let run = kept
-            .unwrap_or_else(|| Run::new(first..end.min(first + stages.most_pixels().max(1)), part.samples.start));
-        let before = f64::from(first - top) / f64::from(end - top);
-        let length = run.pixels.len() as f64 / f64::from(end - top);
-        let mut watch = Share { watch, before, length };
-        match follow_up(stages, tables, run, part.samples.end, &mut watch) {
-            Ok(Some(run)) => {
-                film.put(first - top, &run.sums, &run.ids);
-                first = run.pixels.end;
-                eased = false;
-            }
-            Ok(None) => return Ok(film),
-            Err(error) => {
-                stages.ease(error)?;
-                eased = true;
+    for row in 0..runs {
+        let start = (rows.start + row) * tables.view.width + columns.start;
+        let mut first = start;
+        while first < start + length {
+            // What was kept before a failure is as long as what failed.
+            let kept = if eased { None } else { watch.kept(first) };
+            let most = stages.most_pixels().max(1);
+            let run = kept.unwrap_or_else(|| Run::new(first..(start + length).min(first + most), samples.start));
+            let before = row * length + (first - start);
+            let all = f64::from(film.pixels());
+            let (before_it, length_of_it) = (f64::from(before) / all, run.pixels.len() as f64 / all);
+            let mut watch = Share { watch, before: before_it, length: length_of_it };
+            match follow_up(stages, tables, run, samples.end, &mut watch) {
+                Ok(Some(run)) => {
+                    film.put(before, &run.sums, &run.ids);
+                    first = run.pixels.end;
+                    eased = false;
+                }
+                Ok(None) => return Ok(film),
+                Err(error) => {
+                    stages.ease(error)?;
+                    eased = true;
+                }
             }
         }
     }

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use image::{ImageFormat, RgbImage};
 
+use super::stamp;
+
 /// Why a picture has not been written.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -12,12 +14,12 @@ pub enum Error {
     #[error("{}: a picture's name ends in .png, .tga or .ppm", .0.display())]
     Ending(PathBuf),
     /// The picture does not fit the format.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {why}", path.display())]
     Encode {
         /// The file that was to be written.
         path: PathBuf,
         /// What the encoder says.
-        source: image::ImageError,
+        why: String,
     },
     /// The folder or disk refused.
     #[error("{}: cannot write: {source} (a picture that stood here before is untouched)", path.display())]
@@ -55,20 +57,38 @@ impl Format {
         }
     }
 
-    /// The file's bytes.
+    /// The file's bytes; `stamp` is what the picture can be [known by](super::stamp_of) later.
     ///
     /// # Errors
-    /// If the picture does not fit the format.
-    pub fn encode(self, picture: &RgbImage) -> Result<Vec<u8>, image::ImageError> {
-        let mut bytes = Cursor::new(Vec::new());
-        let format = match self {
-            Self::Png => ImageFormat::Png,
-            Self::Tga => ImageFormat::Tga,
-            Self::Ppm => ImageFormat::Pnm,
-        };
-        picture.write_to(&mut bytes, format)?;
-        Ok(bytes.into_inner())
+    /// What the encoder says, if the picture does not fit the format.
+    pub fn encode(self, picture: &RgbImage, stamp: &str) -> Result<Vec<u8>, String> {
+        match self {
+            Self::Png => encode_png(picture, stamp).map_err(|error| error.to_string()),
+            Self::Tga => {
+                let mut bytes = Cursor::new(Vec::new());
+                picture.write_to(&mut bytes, ImageFormat::Tga).map_err(|error| error.to_string())?;
+                Ok(stamp::into_tga(bytes.into_inner(), stamp))
+            }
+            Self::Ppm => {
+                let (width, height) = picture.dimensions();
+                let mut bytes = format!("P6\n{}{width} {height}\n255\n", stamp::for_ppm(stamp)).into_bytes();
+                bytes.extend_from_slice(picture);
+                Ok(bytes)
+            }
+        }
     }
+}
+
+fn encode_png(picture: &RgbImage, stamp: &str) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, picture.width(), picture.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    stamp::into_png(&mut encoder, stamp)?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(picture)?;
+    writer.finish()?;
+    Ok(bytes)
 }
 
 /// Writes a picture in the format of its name's ending, whole or not at all.
@@ -76,14 +96,23 @@ impl Format {
 /// # Errors
 /// If the ending is unknown, or the folder or disk refuses; what stood there before is then untouched.
 pub fn write_whole(path: &Path, picture: &RgbImage) -> Result<(), Error> {
-    let bytes =
-        Format::of(path)?.encode(picture).map_err(|source| Error::Encode { path: path.to_owned(), source })?;
-    replace(path, &bytes).map_err(|source| Error::Write { path: path.to_owned(), source })
+    let encoded = Format::of(path)?.encode(picture, "");
+    let bytes = encoded.map_err(|why| Error::Encode { path: path.to_owned(), why })?;
+    replace(path, &bytes)
 }
 
-/// Encoded in memory, written beside its target, flushed to the disk, and only then given its name:
-/// `image`'s own `save` returned Ok for a truncated file on a full disk.
-fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+/// Writes a file, whole or not at all.
+///
+/// Written beside its target, flushed to the disk, and only then given its name: `image`'s own `save` returned Ok for a
+/// truncated file on a full disk.
+///
+/// # Errors
+/// If the folder or disk refuses; what stood there before is then untouched.
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    try_replace(path, bytes).map_err(|source| Error::Write { path: path.to_owned(), source })
+}
+
+fn try_replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

@@ -25,7 +25,7 @@ struct Slot {
 }
 
 /// A compute pipeline made of one file of `wgsl/`.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Kernel {
     name: String,
     pipeline: wgpu::ComputePipeline,
@@ -77,12 +77,16 @@ pub fn parse(joined: &Joined, name: &str) -> Result<(Module, naga::valid::Module
 }
 
 impl Kernel {
-    /// Builds the kernel that is written in `wgsl/NAME.wgsl`.
+    /// Builds the kernel that is written in `wgsl/NAME.wgsl`, or takes the one that was built of the same text before:
+    /// most of a small frame's time goes into building them.
     ///
     /// # Errors
     /// [`Error::Wgsl`] with file and line if its source is wrong.
     pub fn new(gpu: &Gpu, sources: &Sources, name: &str) -> Result<Self, Error> {
         let joined = join(sources, name).map_err(Error::Wgsl)?;
+        if let Some(kernel) = gpu.built(&joined.text) {
+            return Ok(kernel);
+        }
         let (module, info) = parse(&joined, name)?;
         let slots = slots(&module, &info);
         let entry = module.entry_points.first();
@@ -113,7 +117,9 @@ impl Kernel {
         if let Some(message) = gpu.complaint() {
             return Err(Error::Validation(message));
         }
-        Ok(Self { name: name.to_owned(), pipeline, layout, slots, group })
+        let kernel = Self { name: name.to_owned(), pipeline, layout, slots, group };
+        gpu.remember(joined.text, &kernel);
+        Ok(kernel)
     }
 
     /// Records `invocations` of the kernel, or a few more; returns the number of workgroups.

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
-use super::model::{Confined, Limits, Model, read_model};
+use super::model::{Confined, Model, read_model};
+use super::source::Reach;
 use super::{
     Behavior, Camera, Error, FilmSettings, Filter, Light, Maps, Material, Mesh, Method, Plane, RasterSettings,
     Scene, Show, Specular, TraceSettings,
@@ -13,7 +14,7 @@ use super::{
 use crate::film::Transfer;
 
 /// A model and what it takes to look at it.
-pub(super) fn alone(path: &Path) -> Result<Scene, Error> {
+pub(super) fn alone(path: &Path, reach: &Reach) -> Result<Scene, Error> {
     let failed = |why: String| Error::Read { path: path.to_owned(), why };
     // Pictures often lie in a folder beside the model's own: `../textures/wood.png`.
     let whole = path.canonicalize().map_err(|e| failed(e.to_string()))?;
@@ -25,7 +26,9 @@ pub(super) fn alone(path: &Path) -> Result<Scene, Error> {
         _ => (home, name.into()),
     };
     let folder = Confined::new(root).map_err(|e| failed(e.to_string()))?;
-    let model = read_model(&name, &folder, &Limits::default()).map_err(|e| failed(e.to_string()))?;
+    let folder =
+        reach.search.iter().try_fold(folder, |all, more| all.and(more)).map_err(|e| failed(e.to_string()))?;
+    let model = read_model(&name, &folder, &reach.limits()).map_err(|e| failed(e.to_string()))?;
     Ok(around(Arc::new(model)))
 }
 

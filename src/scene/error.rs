@@ -6,6 +6,8 @@ use std::path::PathBuf;
 
 use toml::de::{DeTable, DeValue};
 
+use super::source::SET;
+
 /// Why a scene cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -21,15 +23,25 @@ pub enum Error {
     #[error("{0}")]
     Text(Box<Complaint>),
     /// The picture would not fit into memory.
-    #[error("a film of {}x{} needs {needed} MiB, and this machine has {has} MiB of memory; render it smaller", size[0], size[1])]
+    #[error("a film of {}x{} needs {needed} MiB, and {most} MiB of memory may be taken; render it smaller", size[0], size[1])]
     Memory {
         /// The film's width and height.
         size: [u32; 2],
         /// MiB.
         needed: u64,
         /// MiB.
-        has: u64,
+        most: u64,
     },
+}
+
+impl Error {
+    /// The same, known to be about memory.
+    pub(super) fn of_memory(mut self) -> Self {
+        if let Self::Text(complaint) = &mut self {
+            complaint.memory = true;
+        }
+        self
+    }
 }
 
 /// A place in the text and what is wrong with it.
@@ -45,6 +57,8 @@ pub struct Complaint {
     pub field: String,
     /// What was found and what would be right.
     pub message: String,
+    /// Whether it is about memory, of which there may be more elsewhere.
+    pub memory: bool,
     /// The line itself.
     excerpt: String,
     /// How many characters to underline.
@@ -52,6 +66,12 @@ pub struct Complaint {
 }
 
 impl Complaint {
+    /// Whether it is about what the command line sets, rather than about the file.
+    #[must_use]
+    pub fn of_command_line(&self) -> bool {
+        self.file.as_os_str() == SET
+    }
+
     /// A complaint about `span` of `text`. Unless the message says what was found, the text itself does.
     pub(super) fn new(file: PathBuf, text: &str, span: Range<usize>, right: &str) -> Self {
         let start = floor(text, span.start);
@@ -68,6 +88,7 @@ impl Complaint {
             column: text[line_start..start].chars().count() + 1,
             field: field_at(text, start),
             message,
+            memory: false,
             excerpt: excerpt.chars().take(160).collect(),
             width: text[start..end.min(line_end)].trim_end().chars().count().clamp(1, 160),
         }
@@ -76,7 +97,7 @@ impl Complaint {
 
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { file, line, column, field, message, excerpt, width } = self;
+        let Self { file, line, column, field, message, excerpt, width, .. } = self;
         let colon = if field.is_empty() { "" } else { ": " };
         writeln!(f, "{}:{line}:{column}: {field}{colon}{message}", file.display())?;
         let number = line.to_string();

@@ -4,9 +4,11 @@
 //! point at the table's header instead of the line it belongs to. The doc comments are the reference of the
 //! format: `scenes/scene.schema.json` is made of them.
 
+mod animation;
 mod material;
 mod raster;
 
+pub use animation::{Animation, Interpolation, Key, Orbit, Track};
 pub use material::{Behavior, Material};
 pub use raster::{Filter, Mesh, Raster};
 
@@ -46,6 +48,10 @@ pub struct File {
     /// What there is to see.
     #[serde(default)]
     pub object: Objects,
+    /// What changes from frame to frame.
+    #[serde(default)]
+    #[schemars(with = "Animation")]
+    pub animation: Option<Animation>,
 }
 
 /// A way to render.

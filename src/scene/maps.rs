@@ -8,6 +8,7 @@ use glam::Vec2;
 use super::model::bump::{self, Kind};
 use super::model::texture::{Picture, decode};
 use super::model::{Budget, Confined, Content, Limits, Map, Texture, read};
+use super::source::Reach;
 
 /// The pictures laid over a material; each points into [`Scene::textures`](super::Scene::textures).
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,6 +25,7 @@ pub struct Maps {
 pub(super) struct Pictures<'a> {
     /// What the scene is called: pictures are looked for beside it.
     scene: &'a Path,
+    reach: &'a Reach,
     limits: Limits,
     budget: Budget,
     /// Name, content and the bits of its strength -> what came of it.
@@ -32,10 +34,10 @@ pub(super) struct Pictures<'a> {
 }
 
 impl<'a> Pictures<'a> {
-    pub(super) fn new(scene: &'a Path) -> Self {
-        let limits = Limits::default();
+    pub(super) fn new(scene: &'a Path, reach: &'a Reach) -> Self {
+        let limits = reach.limits();
         let budget = Budget::new(&limits);
-        Self { scene, limits, budget, made: HashMap::new(), textures: Vec::new() }
+        Self { scene, reach, limits, budget, made: HashMap::new(), textures: Vec::new() }
     }
 
     pub(super) fn into_textures(self) -> Vec<Texture> {
@@ -79,7 +81,7 @@ impl<'a> Pictures<'a> {
         if self.textures.len() >= self.limits.textures {
             return Err(format!("the scene has more than {} pictures", self.limits.textures));
         }
-        let (folder, _) = Confined::around(self.scene).map_err(|why| why.to_string())?;
+        let folder = self.reach.folder(self.scene).map_err(|why| why.to_string())?;
         let opened = Confined::relative(Path::new(""), file).and_then(|path| folder.open(&path));
         let opened = opened.map_err(|why| format!("{why}; {}", why.remedy()))?;
         let bytes = read(opened, self.limits.picture_bytes)?;

@@ -3,76 +3,32 @@
 mod material;
 
 use std::collections::HashMap;
-use std::fs;
-use std::io::Read as _;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
-use super::alone::alone;
-use super::error::Complaint;
 use super::file::{self, File};
 use super::maps::Pictures;
-use super::model::{Confined, Limits, Model, read_model};
+use super::model::{Model, read_model};
+use super::source::{Models, Reach};
 use super::value::At;
 use super::{
     Camera, Error, FilmSettings, Light, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings, Triangle,
 };
 use crate::film::Film;
 
-/// The longest scene text; it is read whole.
-const MOST_BYTES: u64 = 64 << 20;
-
-/// Reads a scene file, or a model (`.obj`), which gets a camera, lights and a ground that fit it.
-///
-/// # Errors
-/// If the file cannot be read, or its text is not a scene.
-pub fn load(path: &Path) -> Result<Scene, Error> {
-    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
-        return alone(path);
-    }
-    let failed = |why: String| Error::Read { path: path.to_owned(), why };
-    let about = fs::metadata(path).map_err(|e| failed(e.to_string()))?;
-    // A pipe would wait for ever, and /dev/zero never ends.
-    if !about.is_file() {
-        return Err(failed("it is not a file".to_owned()));
-    }
-    let mut bytes = Vec::new();
-    let file = fs::File::open(path).map_err(|e| failed(e.to_string()))?;
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|e| failed(e.to_string()))?;
-    if bytes.len() as u64 > MOST_BYTES {
-        return Err(failed("it is longer than 64 MiB".to_owned()));
-    }
-    match std::str::from_utf8(&bytes) {
-        Ok(text) => parse(text, path),
-        Err(at) => {
-            let line = bytes[..at.valid_up_to()].split(|&b| b == b'\n').count();
-            Err(failed(format!("line {line} is not UTF-8 text; save it as UTF-8")))
-        }
-    }
-}
-
-/// Reads a scene from text; `name` is what errors call it.
-///
-/// # Errors
-/// If the text is not a scene.
-pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
-    let complain =
-        |span: Range<usize>, right: &str| Error::Text(Box::new(Complaint::new(name.to_owned(), text, span, right)));
-    let file: File = toml::from_str(text).map_err(|e| complain(e.span().unwrap_or(0..0), e.message().trim()))?;
-    Resolver { complain: &complain, name }.scene(&file)
-}
-
-struct Resolver<'a> {
+pub(super) struct Resolver<'a> {
     /// What the text is called: meshes are looked for beside it.
-    name: &'a Path,
-    complain: &'a dyn Fn(Range<usize>, &str) -> Error,
+    pub(super) name: &'a Path,
+    pub(super) complain: &'a dyn Fn(Range<usize>, &str) -> Error,
+    pub(super) reach: &'a Reach,
+    pub(super) models: &'a Models,
 }
 
 impl Resolver<'_> {
-    fn scene(&self, file: &File) -> Result<Scene, Error> {
+    pub(super) fn scene(&self, file: &File) -> Result<Scene, Error> {
         let camera = self.camera(&file.camera)?;
         let film = self.film(&file.film)?;
         let mut names = HashMap::new();
@@ -82,7 +38,7 @@ impl Resolver<'_> {
                 return self.refuse(&material.name, "two materials cannot have one name");
             }
         }
-        let mut pictures = Pictures::new(self.name);
+        let mut pictures = Pictures::new(self.name, self.reach);
         let materials =
             file.material.iter().map(|m| self.material(m, &film, &mut pictures)).collect::<Result<_, _>>()?;
         let objects = &file.object;
@@ -145,9 +101,9 @@ impl Resolver<'_> {
         })
     }
 
-    /// A file that is named twice is read once.
+    /// A file that is named twice is read once, whatever frames it is for.
     fn meshes(&self, names: &HashMap<String, usize>, meshes: &[file::Mesh]) -> Result<Vec<Mesh>, Error> {
-        let mut read: HashMap<&String, Arc<Model>> = HashMap::new();
+        let mut read = self.models.borrow_mut();
         let mut all = Vec::with_capacity(meshes.len());
         for mesh in meshes {
             let path = mesh.path.get();
@@ -155,7 +111,7 @@ impl Resolver<'_> {
                 Some(model) => Arc::clone(model),
                 None => Arc::new(self.model(&mesh.path)?),
             };
-            read.insert(path, Arc::clone(&model));
+            read.insert(path.clone(), Arc::clone(&model));
             let material = mesh.material.as_ref().map(|name| self.named(names, name)).transpose()?;
             all.push(Mesh {
                 model,
@@ -171,8 +127,12 @@ impl Resolver<'_> {
 
     fn model(&self, path: &At<String>) -> Result<Model, Error> {
         let refuse = |why: String| (self.complain)(path.span(), &why);
-        let (folder, _) = Confined::around(self.name).map_err(|why| refuse(why.to_string()))?;
-        read_model(Path::new(path.get()), &folder, &Limits::default()).map_err(|why| refuse(why.to_string()))
+        let folder = self.reach.folder(self.name).map_err(|why| refuse(why.to_string()))?;
+        let read = read_model(Path::new(path.get()), &folder, &self.reach.limits());
+        read.map_err(|why| {
+            let error = refuse(why.to_string());
+            if why.is_of_memory() { error.of_memory() } else { error }
+        })
     }
 
     fn refuse<T, U>(&self, value: &At<T>, right: &str) -> Result<U, Error> {
@@ -208,8 +168,8 @@ impl Resolver<'_> {
 
     fn film(&self, film: &file::Film) -> Result<FilmSettings, Error> {
         let size = film.size.get().0.map(|side| side.0);
-        if let Err(error) = fits(size) {
-            return self.refuse(&film.size, &error.to_string());
+        if let Err(error) = fits(size, self.reach) {
+            return self.refuse(&film.size, &error.to_string()).map_err(Error::of_memory);
         }
         Ok(FilmSettings { size, transfer: film.transfer, background: film.background.under(film.transfer) })
     }
@@ -243,30 +203,22 @@ impl Resolver<'_> {
     }
 }
 
-/// Whether a film of this size fits into this machine's memory, with room for all else.
-pub(super) fn fits(size: [u32; 2]) -> Result<(), Error> {
+/// Whether a film of this size fits into the memory that may be taken, with room for all else.
+pub(super) fn fits(size: [u32; 2], reach: &Reach) -> Result<(), Error> {
     const MIB: u64 = 1 << 20;
     let pixels = u64::from(size[0]) * u64::from(size[1]);
     let needed = Film::bytes(size[0], size[1]);
-    let has = sysinfo::System::new().map_or(0, |mut system| {
-        system.refresh_memory();
-        system.total_memory()
+    let most = reach.memory.unwrap_or_else(|| {
+        let has = sysinfo::System::new().map_or(0, |mut system| {
+            system.refresh_memory();
+            system.total_memory()
+        });
+        // A machine that will not tell its memory is trusted.
+        if has > 0 { has / 10 * 6 } else { u64::MAX }
     });
-    // Pixels are counted in 32 bits; and a machine that will not tell its memory is trusted.
-    if pixels >= 1 << 30 || (has > 0 && needed > has / 10 * 6) {
-        return Err(Error::Memory { size, needed: needed.div_ceil(MIB), has: has / MIB });
+    // Pixels are counted in 32 bits.
+    if pixels >= 1 << 30 || needed > most {
+        return Err(Error::Memory { size, needed: needed.div_ceil(MIB), most: most / MIB });
     }
     Ok(())
-}
-
-impl Scene {
-    /// Another size of film, where it fits into memory.
-    ///
-    /// # Errors
-    /// [`Error::Memory`] if it does not.
-    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
-        fits(size)?;
-        self.film.size = size;
-        Ok(())
-    }
 }

@@ -3,8 +3,8 @@
 mod number;
 
 pub use number::{
-    Aspect, Blur, Degrees, Depth, Exponent, Index, Intensity, Length, Place, Samples, Seed, ShadowSize, Side,
-    Weight,
+    Aspect, Blur, Degrees, Depth, Exponent, FrameCount, Index, Intensity, Length, Place, Rate, Samples, Seed,
+    ShadowSize, Side, Turns, Weight,
 };
 
 use std::fmt;

@@ -4,9 +4,11 @@
 //! fault beside it (`mutants.rs`, `compare.rs`) shows that it sees.
 
 mod analytic;
+mod animation;
 mod brute;
 mod bvh;
 mod cli;
+mod cli_batch;
 mod compare;
 mod few;
 mod frames;

@@ -23,7 +23,7 @@ fn tables(scene: &str, few: bool) -> Tables {
 
 fn blocks() -> Vec<Part> {
     let starts = (0..SAMPLES).step_by(BLOCK as usize);
-    starts.map(|start| Part { rows: 0..11, samples: start..SAMPLES.min(start + BLOCK) }).collect()
+    starts.map(|start| Part { columns: 0..23, rows: 0..11, samples: start..SAMPLES.min(start + BLOCK) }).collect()
 }
 
 /// The film whose samples are those of all films, added in their order.
@@ -62,15 +62,20 @@ fn blocks_of_samples_add_up_on_both_sides() {
 }
 
 #[test]
-fn rows_stand_below_each_other() {
+fn rectangles_are_those_of_the_whole() {
     let tables = tables("scenes/room.toml", true);
     let whole = on_cpu(&tables);
     for middle in [1, 4, 10] {
-        let rows = [0..middle, middle..11].map(|rows| Part { rows, samples: 0..SAMPLES });
+        let rows = [0..middle, middle..11].map(|rows| Part { columns: 0..23, rows, samples: 0..SAMPLES });
         let films = make(&mut CpuTrace::new(&tables), &tables, &rows);
         let sums = [films[0].sums(), films[1].sums()].concat();
         assert!(sums == whole.sums(), "cut at {middle}");
     }
+    let corner = [Part { columns: 5..9, rows: 3..10, samples: 0..SAMPLES }];
+    let film = &make(&mut CpuTrace::new(&tables), &tables, &corner)[0];
+    let wanted = (3..10).flat_map(|y| (5..9).map(move |x| y * 23 + x));
+    assert_eq!(film.pixels(), 28);
+    assert!(wanted.zip(0..).all(|(from, to)| whole.sums()[from] == film.sums()[to]), "a rectangle of it");
 }
 
 /// Stops after so many calls, and keeps what it is offered.

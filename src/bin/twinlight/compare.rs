@@ -10,10 +10,13 @@ use twinlight::gpu::Gpu;
 use twinlight::render::{Backend, Renderer};
 use twinlight::scene::{Behavior, Scene};
 
-use crate::job::{Failure, Job, bar, say};
+use crate::job::{Failure, Job, say};
+use crate::progress::bar;
 
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
+    /// The scene file (TOML), or a model (OBJ) that gets a camera, lights and a ground that fit it.
+    scene: PathBuf,
     #[command(flatten)]
     job: Job,
     /// The picture `cpu | gpu | difference` [default: the scene's name and -compare.png, in the current folder].
@@ -25,9 +28,11 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let output = arguments.job.output(arguments.output.as_ref(), "-compare");
+    let stem = arguments.scene.file_stem().unwrap_or_default().to_string_lossy();
+    let output = arguments.output.clone().unwrap_or_else(|| format!("{stem}-compare.png").into());
     Format::of(&output)?;
-    let (scene, method) = arguments.job.load()?;
+    let source = arguments.job.input.open(&arguments.scene)?;
+    let (scene, method) = arguments.job.scene(&source, 1)?;
     let mut on_gpu = Renderer::open(Backend::Gpu, &arguments.job.wanted())?;
     let standard = on_gpu.gpu().map_or(Standard::Exact, |gpu| standard(gpu, &scene));
     let mut on_cpu = Renderer::open(Backend::Cpu, &arguments.job.wanted())?;
@@ -46,7 +51,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let comparison = compare(cpu, gpu, standard)?;
     write_whole(&output, &side_by_side(cpu, gpu, scene.film.transfer, arguments.gain)?)?;
     eprintln!("{}: cpu | gpu | difference x {}", output.display(), arguments.gain);
-    say(&table(&comparison, standard))?;
+    say(table(&comparison, standard))?;
     Ok(if comparison.passes() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 

@@ -1,22 +1,45 @@
-//! What the commands share: a scene with its overrides, the backend's choice, progress, and the exit codes.
+//! What the commands share: a scene, and what of it the command line says otherwise.
 
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
-use twinlight::film;
-use twinlight::gpu::{self, Wanted};
-use twinlight::render;
+use twinlight::gpu::Wanted;
 use twinlight::scene::value::{Depth, Samples, Side};
-use twinlight::scene::{self, Method, Scene, Show};
+use twinlight::scene::{Method, Reach, Scene, Show, Source};
 
-/// A scene, and what of it the command line says otherwise.
+pub(crate) use crate::failure::Failure;
+
+/// Where a scene comes from.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Input {
+    /// Put a value into the scene file, in TOML: --set camera.fov=40 --set 'light.point[0].color="#ffcc88"'.
+    #[arg(long = "set", value_name = "FIELD=VALUE")]
+    sets: Vec<String>,
+    /// Another folder in which the scene's models and pictures may lie; nothing is read from elsewhere.
+    #[arg(long = "search-path", value_name = "FOLDER")]
+    search: Vec<PathBuf>,
+    /// Memory that the film, and each model, may take, as 512M or 4G [default: 60 % of this machine's].
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    max_memory: Option<u64>,
+}
+
+impl Input {
+    /// The scene file as the command line wants it.
+    pub(crate) fn open(&self, scene: &Path) -> Result<Source, Failure> {
+        Ok(Source::open(scene, &self.sets, &self.reach())?)
+    }
+
+    fn reach(&self) -> Reach {
+        Reach { search: self.search.clone(), memory: self.max_memory }
+    }
+}
+
+/// What of a scene the command line says otherwise.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Job {
-    /// The scene file (TOML), or a model (OBJ) that gets a camera, lights and a ground that fit it.
-    pub(crate) scene: PathBuf,
+    #[command(flatten)]
+    pub(crate) input: Input,
     /// How to render [default: the scene's method].
     #[arg(long)]
     method: Option<Method>,
@@ -38,11 +61,11 @@ pub(crate) struct Job {
 }
 
 impl Job {
-    /// The scene as the command line wants it, and the method.
-    pub(crate) fn load(&self) -> Result<(Scene, Method), Failure> {
-        let mut scene = scene::load(&self.scene)?;
+    /// A frame's scene as the command line wants it, and the method.
+    pub(crate) fn scene(&self, source: &Source, frame: i64) -> Result<(Scene, Method), Failure> {
+        let mut scene = source.scene(frame)?;
         if let Some(size) = self.size {
-            scene.resize(size)?;
+            scene.resize_within(size, &self.input.reach())?;
         }
         scene.trace.samples = self.samples.unwrap_or(scene.trace.samples);
         if let Some(samples) = self.samples {
@@ -57,12 +80,6 @@ impl Job {
     /// The adapter that is asked for.
     pub(crate) fn wanted(&self) -> Wanted {
         self.adapter.clone().map_or(Wanted::Best, Wanted::Named)
-    }
-
-    /// `NAME.png`, or with a suffix `NAME-SUFFIX.png`, in the current folder.
-    pub(crate) fn output(&self, asked: Option<&PathBuf>, suffix: &str) -> PathBuf {
-        let stem = self.scene.file_stem().unwrap_or_default().to_string_lossy();
-        asked.cloned().unwrap_or_else(|| format!("{stem}{suffix}.png").into())
     }
 }
 
@@ -80,49 +97,25 @@ fn depth(text: &str) -> Result<u32, String> {
     text.parse().ok().and_then(Depth::new).map(|n| n.0).ok_or_else(|| Depth::RIGHT.to_owned())
 }
 
-/// Why a command did not do what was asked; its exit code hangs on it.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum Failure {
-    #[error(transparent)]
-    Scene(#[from] scene::Error),
-    #[error(transparent)]
-    Film(#[from] film::Error),
-    #[error(transparent)]
-    Render(#[from] render::Error),
-    #[error(transparent)]
-    Gpu(#[from] gpu::Error),
-    #[error(transparent)]
-    Sizes(#[from] film::compare::Sizes),
-    #[error("cannot write to stdout: {0}")]
-    Stdout(#[from] std::io::Error),
-}
-
-impl Failure {
-    pub(crate) fn code(&self) -> ExitCode {
-        ExitCode::from(match self {
-            Self::Scene(scene::Error::Memory { .. }) | Self::Gpu(gpu::Error::NoRoom { .. }) => 6,
-            Self::Scene(_) => 3,
-            Self::Film(film::Error::Ending(_)) | Self::Render(render::Error::TooLarge(_)) | Self::Sizes(_) => 2,
-            Self::Film(_) | Self::Stdout(_) => 4,
-            Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
-            Self::Render(render::Error::Stopped) => 130,
-        })
-    }
+fn bytes(text: &str) -> Result<u64, String> {
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic());
+    let unit = match text[digits.len()..].to_ascii_lowercase().trim_end_matches("ib").trim_end_matches('b') {
+        "" => Some(0),
+        "k" => Some(10),
+        "m" => Some(20),
+        "g" => Some(30),
+        "t" => Some(40),
+        _ => None,
+    };
+    let bytes = unit.and_then(|unit| digits.parse::<u64>().ok()?.checked_mul(1 << unit));
+    bytes.filter(|bytes| *bytes > 0).ok_or_else(|| "memory is written as 512M, 4G or in bytes".to_owned())
 }
 
 /// Prints to stdout; a reader that has gone away (`| head`) is no failure.
-pub(crate) fn say(text: &str) -> Result<ExitCode, Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+pub(crate) fn say(text: impl AsRef<[u8]>) -> Result<ExitCode, Failure> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_ref()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(ExitCode::SUCCESS),
     }
-}
-
-/// A bar with the time left, on a terminal; nothing on a pipe.
-pub(crate) fn bar(what: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} [{bar:30}] {percent}%, {eta} left");
-    let bar = ProgressBar::new(1000).with_message(what.to_owned());
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
 }

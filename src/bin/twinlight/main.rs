@@ -1,13 +1,22 @@
 //! `twinlight`: arguments -> a job -> a picture or a sentence.
 
+mod check;
+mod claim;
 mod compare;
+mod failure;
+mod frames;
 mod info;
 mod job;
+mod names;
+mod plan;
+mod progress;
 mod render;
+mod stop;
+mod writer;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 /// Renders 3-D scenes in compute shaders, each stage with a CPU twin.
 #[derive(Debug, Parser)]
@@ -19,40 +28,61 @@ struct Arguments {
 
 const EXIT_CODES: &str = "\
 Exit codes:
-  0  done                            4  a file could not be written
-  1  the comparison failed           5  the GPU could not be used or failed
-  2  wrong arguments                 6  not enough memory
-  3  something is wrong with a scene
+  0  done                              5  the GPU could not be used or failed
+  1  the comparison failed             6  not enough memory
+  2  wrong arguments                   7  the deadline passed before all was done
+  3  something is wrong with a scene   130, 143  stopped by Ctrl-C or SIGTERM
+  4  a file could not be written
 
 Words go to stderr, what was asked for to stdout or its file.";
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Render a scene to a picture.
+    /// Render scenes to pictures.
     ///
-    /// The picture is written whole or not at all: what stood there before stays until the new one is
-    /// complete. Without a GPU the picture comes from the CPU, and a line says so.
+    /// A picture is written whole or not at all: what stood there before stays until the new one is
+    /// complete. A picture knows what it was made of, so the same command makes only what is not there
+    /// yet; several processes with one command share the work. The first Ctrl-C stops after the slice of
+    /// work in hand, the second at once. Without a GPU the picture comes from the CPU, and a line says so.
     #[command(after_help = "Examples:
   twinlight render scenes/room.toml
-  twinlight render scenes/room.toml -o room.tga --size 320x240 --samples 4 --backend cpu")]
-    Render(render::Arguments),
+  twinlight render scenes/room.toml -o room.tga --size 320x240 --samples 4 --backend cpu
+  twinlight render scenes/turntable.toml --frames 1-100:2 -o frames/
+  twinlight render scenes/turntable.toml --size 320x320 -o turntable.png
+  twinlight render scenes/*.toml --set camera.fov=50 -o 'out/{scene}.png' --json --deadline 1h")]
+    Render(Box<render::Arguments>),
     /// Render a scene on both backends and say where they differ.
     ///
     /// Prints the tolerance table with what was found, writes `cpu | gpu | difference` side by side, and ends
     /// with exit code 1 if anything is over its tolerance.
-    Compare(compare::Arguments),
+    Compare(Box<compare::Arguments>),
+    /// Say whether scenes can be rendered, all their frames, without rendering them.
+    Check(check::Arguments),
     /// List the adapters, what of their limits matters, and what would be used and why.
     Info(info::Arguments),
     /// Print the JSON Schema of scene files, for editors.
     Schema,
+    /// Print the completions of a shell: `twinlight completions bash > /etc/bash_completion.d/twinlight`.
+    Completions {
+        /// Which shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<ExitCode, job::Failure> {
+    let mut text = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "twinlight", &mut text);
+    job::say(text)
 }
 
 fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Completions { shell } => completions(shell),
         Command::Info(arguments) => info::run(&arguments),
-        Command::Schema => job::say(&twinlight::scene::file::schema()),
+        Command::Schema => job::say(twinlight::scene::file::schema()),
     };
     match done {
         Ok(code) => code,

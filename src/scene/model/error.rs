@@ -51,6 +51,12 @@ pub enum Error {
 }
 
 impl Error {
+    /// Whether another machine, or a larger limit, may have the memory that is lacking.
+    #[must_use]
+    pub fn is_of_memory(&self) -> bool {
+        matches!(self, Self::TooMuch { what, .. } if what.contains("memory"))
+    }
+
     pub(super) fn unread(file: &str, why: &Refusal) -> Self {
         Self::Unread { file: file.to_owned(), found: why.to_string(), wanted: why.remedy().to_owned() }
     }

@@ -65,6 +65,15 @@ number! {
     Aspect, 0.01, 100.0, "an aspect is a width divided by a height, from 0.01 to 100"
 }
 
+number! {
+    /// Frames a second.
+    Rate, 0.01, 240.0, "a rate is a number of frames a second from 0.01 to 240"
+}
+number! {
+    /// Whole turns and parts of them.
+    Turns, -1e6, 1e6, "turns are a number from -1e6 to 1e6"
+}
+
 /// Any number; what would be right is said if there is none.
 pub(super) struct Number(pub(super) &'static str);
 
@@ -148,4 +157,8 @@ count! {
 count! {
     /// Any 32 bits.
     Seed, 0_u32, u32::MAX, "a seed is a whole number from 0 to 4294967295"
+}
+count! {
+    /// Frames of an animation.
+    FrameCount, 1_u32, 1_000_000_u32, "frames are a whole number from 1 to 1000000"
 }

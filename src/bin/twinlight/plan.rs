@@ -1,0 +1,113 @@
+//! scenes, frames and a name -> the pictures of a call
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use twinlight::film::Format;
+use twinlight::scene::Source;
+
+use crate::frames::Frames;
+use crate::job::Failure;
+use crate::names::{Template, template};
+
+/// One file and the frames in it: several only in an animated picture.
+#[derive(Debug, Clone)]
+pub(crate) struct Picture {
+    /// Which of the call's scenes.
+    pub(crate) scene: usize,
+    pub(crate) frames: Vec<i64>,
+    /// Nothing for stdout.
+    pub(crate) file: Option<PathBuf>,
+}
+
+impl Picture {
+    /// What to call it.
+    pub(crate) fn name(&self) -> String {
+        self.file.as_ref().map_or_else(|| "-".to_owned(), |file| file.display().to_string())
+    }
+}
+
+/// What the command line says of names.
+#[derive(Debug)]
+pub(crate) struct Names<'a> {
+    pub(crate) output: Option<&'a str>,
+    pub(crate) frames: Option<&'a Frames>,
+}
+
+/// The pictures of scenes in their order.
+pub(crate) fn plan(sources: &[Source], names: &Names<'_>) -> Result<Vec<Picture>, Failure> {
+    let mut pictures = Vec::new();
+    for (scene, source) in sources.iter().enumerate() {
+        let frames = match (names.frames, source.frames()) {
+            (Some(frames), _) => frames.0.clone(),
+            (None, Some((count, _))) => (1..=i64::from(count)).collect(),
+            (None, None) => vec![1],
+        };
+        of_scene(scene, source, frames, names, &mut pictures)?;
+    }
+    let mut seen = HashMap::new();
+    for picture in &pictures {
+        let Some(file) = &picture.file else { continue };
+        Format::of(file)?;
+        // Some file systems take a.png and A.png for one.
+        if let Some(other) = seen.insert(file.to_string_lossy().to_lowercase(), picture) {
+            let (a, b) = (of(other, sources), of(picture, sources));
+            return Err(Failure::Usage(format!(
+                "{}: both {a} and {b} would be written there; put {{scene}} or {{frame:4}} into the name",
+                file.display()
+            )));
+        }
+    }
+    Ok(pictures)
+}
+
+fn of_scene(
+    scene: usize,
+    source: &Source,
+    frames: Vec<i64>,
+    names: &Names<'_>,
+    pictures: &mut Vec<Picture>,
+) -> Result<(), Failure> {
+    let many = source.frames().is_some() || frames.len() > 1;
+    let usual = if many { "{scene}-{frame:4}.png" } else { "{scene}.png" };
+    let name = match names.output {
+        Some("-") if pictures.is_empty() && frames.len() == 1 => {
+            pictures.push(Picture { scene, frames, file: None });
+            return Ok(());
+        }
+        Some("-") => return Err(Failure::Usage("one picture alone can be written to stdout".to_owned())),
+        Some(folder) if folder.ends_with('/') || Path::new(folder).is_dir() => {
+            format!("{}/{usual}", folder.trim_end_matches('/'))
+        }
+        Some(name) => name.to_owned(),
+        None => usual.to_owned(),
+    };
+    let template: Template = template(&name).map_err(Failure::Usage)?;
+    let file = |frame: i64| template.fill(source.path(), frame);
+    if frames.len() == 1 || template.tells_frames_apart() {
+        pictures.extend(frames.iter().map(|&frame| Picture {
+            scene,
+            frames: vec![frame],
+            file: Some(file(frame)),
+        }));
+        return Ok(());
+    }
+    let all = file(frames[0]);
+    if Format::of(&all)? != Format::Png {
+        return Err(Failure::Usage(format!(
+            "{}: {} frames need {{frame:4}} or #### in the name; in a .png alone they can become one animated picture",
+            all.display(),
+            frames.len()
+        )));
+    }
+    pictures.push(Picture { scene, frames, file: Some(all) });
+    Ok(())
+}
+
+fn of(picture: &Picture, sources: &[Source]) -> String {
+    let scene = sources[picture.scene].path().display();
+    match picture.frames[..] {
+        [frame] => format!("{scene} frame {frame}"),
+        _ => format!("{scene}"),
+    }
+}

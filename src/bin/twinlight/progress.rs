@@ -1,0 +1,89 @@
+//! how far the work is -> a bar, lines of JSON, or nothing
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// How progress is told, on stderr.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub(crate) enum Kind {
+    /// A bar with the time left, on a terminal; nothing on a pipe.
+    #[default]
+    Bar,
+    /// Lines of JSON: picture, its number, of how many, and the fraction of all that is done.
+    Json,
+    /// Nothing.
+    None,
+}
+
+/// The progress of a call.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    kind: Kind,
+    bar: ProgressBar,
+    pictures: usize,
+    number: usize,
+    name: String,
+    told: Option<Instant>,
+}
+
+const EVERY: Duration = Duration::from_millis(200);
+
+impl Progress {
+    pub(crate) fn new(kind: Kind, pictures: usize) -> Self {
+        let bar = if kind == Kind::Bar { bar("rendering") } else { ProgressBar::hidden() };
+        Self { kind, bar, pictures: pictures.max(1), number: 0, name: String::new(), told: None }
+    }
+
+    /// The next picture begins.
+    pub(crate) fn begin(&mut self, number: usize, name: &str) {
+        (self.number, self.name) = (number, name.to_owned());
+        if self.pictures > 1 {
+            self.bar.set_message(format!("{name} ({} of {})", number + 1, self.pictures));
+        }
+        self.told = None;
+        self.done(0.0);
+    }
+
+    /// So much of the picture is done.
+    pub(crate) fn done(&mut self, fraction: f64) {
+        let all = (self.number as f64 + fraction) / self.pictures as f64;
+        self.bar.set_position((all * 1000.0) as u64);
+        let due = self.told.is_none_or(|told| told.elapsed() >= EVERY) || fraction >= 1.0;
+        if self.kind == Kind::Json && due {
+            self.told = Some(Instant::now());
+            let line = serde_json::json!({
+                "picture": self.name, "number": self.number + 1, "of": self.pictures, "done": all
+            });
+            eprintln!("{line}");
+        }
+    }
+
+    /// A line of words, above the bar.
+    pub(crate) fn say(&self, line: &str) {
+        self.bar.suspend(|| eprintln!("{line}"));
+    }
+
+    /// Does something that writes to stderr, without the bar.
+    pub(crate) fn suspend(&self, write: impl FnOnce()) {
+        self.bar.suspend(write);
+    }
+
+    /// The bar, for who writes from another thread.
+    pub(crate) fn bar(&self) -> ProgressBar {
+        self.bar.clone()
+    }
+
+    pub(crate) fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// A bar with the time left, on a terminal; nothing on a pipe.
+pub(crate) fn bar(what: &str) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg} [{bar:30}] {percent}%, {eta} left");
+    let bar = ProgressBar::new(1000).with_message(what.to_owned());
+    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}

@@ -1,0 +1,242 @@
+//! a scene file and what is said beside it -> the Scene of each frame
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::fs;
+use std::io::Read as _;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use serde::Deserialize as _;
+use toml::de::{DeTable, DeValue, Deserializer};
+
+use super::alone::alone;
+use super::animate::{Edit, edits};
+use super::error::Complaint;
+use super::file::{Animation, File};
+use super::model::{Confined, Limits, Model, Refusal};
+use super::place::{Place, moved};
+use super::resolve::{Resolver, fits};
+use super::{Error, Scene};
+
+/// The longest scene text; it is read whole.
+const MOST_BYTES: u64 = 64 << 20;
+
+/// What a text is called that the command line sets.
+pub(super) const SET: &str = "--set";
+
+/// What a scene may read and take.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Reach {
+    /// Folders beside the scene's own in which its models and pictures may lie.
+    pub search: Vec<PathBuf>,
+    /// Bytes of memory for the film, and for each model; without it 60 % of this machine's, and 8 GiB.
+    pub memory: Option<u64>,
+}
+
+impl Reach {
+    /// The folders that a scene may read from.
+    pub(super) fn folder(&self, scene: &Path) -> Result<Confined, Refusal> {
+        let (own, _) = Confined::around(scene)?;
+        self.search.iter().try_fold(own, |folders, more| folders.and(more))
+    }
+
+    /// How much a model may ask for.
+    pub(super) fn limits(&self) -> Limits {
+        let usual = Limits::default();
+        let memory = self.memory.map_or(usual.memory, |most| most.min(usual.memory));
+        Limits { memory, ..usual }
+    }
+}
+
+/// Models that were read, by the name that the scene calls them.
+pub(super) type Models = RefCell<HashMap<String, Arc<Model>>>;
+
+/// A scene file, read once, from which the scene of any frame can be had.
+#[derive(Debug)]
+pub struct Source {
+    path: PathBuf,
+    reach: Reach,
+    text: String,
+    sets: Vec<String>,
+    models: Models,
+    animation: Option<Animation>,
+    /// A model with no scene file.
+    alone: Option<Box<Scene>>,
+}
+
+impl Source {
+    /// Reads a scene file, or a model (`.obj`), which gets a camera, lights and a ground that fit it. `sets` are put
+    /// into the file's document before it is understood: `camera.fov=40`, `light.directional[0].toward=[0, 1, 0]`.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or its text with what is set is not a scene.
+    pub fn open(path: &Path, sets: &[String], reach: &Reach) -> Result<Self, Error> {
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+            if !sets.is_empty() {
+                let why = "a model alone has no fields that could be set".to_owned();
+                return Err(Error::Read { path: path.to_owned(), why });
+            }
+            let mut source = Self::new(String::new(), path, sets, reach);
+            source.alone = Some(Box::new(alone(path, reach)?));
+            return Ok(source);
+        }
+        Self::written(read(path)?, path, sets, reach)
+    }
+
+    fn written(text: String, path: &Path, sets: &[String], reach: &Reach) -> Result<Self, Error> {
+        let mut source = Self::new(text, path, sets, reach);
+        source.animation = source.file(&[], None)?.animation;
+        Ok(source)
+    }
+
+    fn new(text: String, path: &Path, sets: &[String], reach: &Reach) -> Self {
+        let (path, reach, sets) = (path.to_owned(), reach.clone(), sets.to_vec());
+        Self { path, reach, text, sets, models: Models::default(), animation: None, alone: None }
+    }
+
+    /// The file, as it was called.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// How many frames it has, and how many of them a second; nothing if it has no animation.
+    #[must_use]
+    pub fn frames(&self) -> Option<(u32, f32)> {
+        self.animation.as_ref().map(|animation| (animation.frames.0, animation.rate.0))
+    }
+
+    /// The scene of a frame; without an animation that of all frames.
+    ///
+    /// # Errors
+    /// If what the animation puts in is not right there, or what the scene names cannot be read.
+    pub fn scene(&self, frame: i64) -> Result<Scene, Error> {
+        if let Some(scene) = &self.alone {
+            return Ok((**scene).clone());
+        }
+        let edits = match &self.animation {
+            None => Vec::new(),
+            Some(animation) => {
+                let document = self.document(&[], None)?;
+                edits(animation, &document, frame).map_err(|(span, why)| self.complain(span, &why, Some(frame)))?
+            }
+        };
+        let file = self.file(&edits, Some(frame))?;
+        let complain = |span: Range<usize>, right: &str| self.complain(span, right, Some(frame));
+        Resolver { complain: &complain, name: &self.path, reach: &self.reach, models: &self.models }.scene(&file)
+    }
+
+    /// The document with what is set and what a frame changes.
+    fn document<'t>(&'t self, edits: &'t [Edit], frame: Option<i64>) -> Result<DeTable<'t>, Error> {
+        let Self { text, sets, .. } = self;
+        let wrong = |from: usize| {
+            move |e: toml::de::Error| {
+                let span = e.span().unwrap_or(0..0);
+                self.complain(span.start + from..span.end + from, e.message().trim(), frame)
+            }
+        };
+        let mut document = DeTable::parse(text).map_err(wrong(0))?.into_inner();
+        let mut from = text.len() + 1;
+        for set in sets {
+            let refuse = |why: String| self.complain(from..from + set.len(), &why, frame);
+            let (place, value) =
+                set.split_once('=').ok_or_else(|| refuse("what is set is written as camera.fov=40".to_owned()))?;
+            let start = from + set.len() - value.trim_start().len();
+            let place = Place::parse(place).map_err(&refuse)?;
+            let value = DeValue::parse(value.trim()).map_err(wrong(start))?;
+            let value = moved(value, &|span| span.start + start..span.end + start);
+            place.set(&mut document, value).map_err(&refuse)?;
+            from += set.len() + 1;
+        }
+        for edit in edits {
+            let value = DeValue::parse(&edit.text).map_err(wrong(0))?;
+            let value = moved(value, &|_| edit.span.clone());
+            edit.place.set(&mut document, value).map_err(|why| self.complain(edit.span.clone(), &why, frame))?;
+        }
+        Ok(document)
+    }
+
+    fn file(&self, edits: &[Edit], frame: Option<i64>) -> Result<File, Error> {
+        let document = toml::Spanned::new(0..0, self.document(edits, frame)?);
+        File::deserialize(Deserializer::from(document))
+            .map_err(|e| self.complain(e.span().unwrap_or(0..0), e.message().trim(), frame))
+    }
+
+    /// What is wrong: spans beyond the file's end are those of what is set, one text after the other with a byte between.
+    fn complain(&self, span: Range<usize>, right: &str, frame: Option<i64>) -> Error {
+        let mut from = self.text.len() + 1;
+        for set in self.sets.iter().filter(|_| span.end > self.text.len()) {
+            let end = from + set.len();
+            if span.start <= end {
+                let within = span.start.saturating_sub(from)..span.end.saturating_sub(from);
+                let mut complaint = Complaint::new(SET.into(), set, within, right);
+                set.split('=').next().unwrap_or_default().trim().clone_into(&mut complaint.field);
+                return Error::Text(Box::new(complaint));
+            }
+            from = end + 1;
+        }
+        let mut complaint = Complaint::new(self.path.clone(), &self.text, span, right);
+        if let Some(frame) = frame.filter(|_| complaint.field.starts_with("animation")) {
+            complaint.message = format!("{} (in frame {frame})", complaint.message);
+        }
+        Error::Text(Box::new(complaint))
+    }
+}
+
+/// Reads a scene file, or a model alone; of an animation the first frame.
+///
+/// # Errors
+/// If the file cannot be read, or its text is not a scene.
+pub fn load(path: &Path) -> Result<Scene, Error> {
+    Source::open(path, &[], &Reach::default())?.scene(1)
+}
+
+/// Reads a scene from text; `name` is what errors call it. Of an animation it is the first frame.
+///
+/// # Errors
+/// If the text is not a scene.
+pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
+    Source::written(text.to_owned(), name, &[], &Reach::default())?.scene(1)
+}
+
+fn read(path: &Path) -> Result<String, Error> {
+    let failed = |why: String| Error::Read { path: path.to_owned(), why };
+    let about = fs::metadata(path).map_err(|e| failed(e.to_string()))?;
+    // A pipe would wait for ever, and /dev/zero never ends.
+    if !about.is_file() {
+        return Err(failed("it is not a file".to_owned()));
+    }
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path).map_err(|e| failed(e.to_string()))?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|e| failed(e.to_string()))?;
+    if bytes.len() as u64 > MOST_BYTES {
+        return Err(failed("it is longer than 64 MiB".to_owned()));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..at].split(|&b| b == b'\n').count();
+        failed(format!("line {line} is not UTF-8 text; save it as UTF-8"))
+    })
+}
+
+impl Scene {
+    /// Another size of film, where it fits into memory.
+    ///
+    /// # Errors
+    /// [`Error::Memory`] if it does not.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
+        self.resize_within(size, &Reach::default())
+    }
+
+    /// Another size of film, where it fits into what may be taken.
+    ///
+    /// # Errors
+    /// [`Error::Memory`] if it does not.
+    pub fn resize_within(&mut self, size: [u32; 2], reach: &Reach) -> Result<(), Error> {
+        fits(size, reach)?;
+        self.film.size = size;
+        Ok(())
+    }
+}
