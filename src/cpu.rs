@@ -3,6 +3,7 @@
 //! A stage's arguments are the kernel's `read` bindings, its results the `read_write` ones. Where a kernel would
 //! clamp an index, its twin panics: the tests run both, so the twin is the kernels' sanitizer.
 
+pub mod first;
 mod lanes;
 pub mod raster;
 pub mod shade;

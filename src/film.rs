@@ -1,7 +1,11 @@
 //! The film: all that a renderer may write, and the only thing that knows how to become a file.
 
 pub mod compare;
+pub mod exr;
+pub mod ledger;
+pub mod merge;
 mod moving;
+pub mod pass;
 mod save;
 mod stamp;
 mod transfer;

@@ -7,11 +7,13 @@ pub use work::{Digest, Work};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
+use crate::film::pass::{Layer, Pass};
 use crate::film::{Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, Wanted};
 use crate::prepare::lens::LONGEST_SIDE;
 use crate::scene::{Method, Scene};
+use crate::trace::BLOCK;
 
 /// Where the work is done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -37,6 +39,9 @@ pub enum Error {
     /// A rectangle that is not within the picture.
     #[error("the part lies outside the picture, which has {}x{} pixels", .0[0], .0[1])]
     Outside([u32; 2]),
+    /// Samples that cannot be made alone; how many there are.
+    #[error("{}", no_samples(*.0))]
+    Samples(u32),
     /// Whoever watched it wanted no more of it.
     #[error("stopped")]
     Stopped,
@@ -117,6 +122,20 @@ impl Renderer {
         self.make(&Work::new(scene, method)?, watch)
     }
 
+    /// Passes of a picture that was made. Beside ids and samples they are those of each pixel's first sample.
+    ///
+    /// # Errors
+    /// If the GPU alone is allowed and fails, or `watch` stops the work.
+    pub fn layers(
+        &mut self,
+        work: &Work,
+        film: &Film,
+        wanted: &[Pass],
+        watch: &mut dyn Watch,
+    ) -> Result<Vec<Layer>, Error> {
+        work.layers(film, wanted, |work| Ok(self.make(work, watch)?.film))
+    }
+
     /// Does work that is made ready.
     ///
     /// # Errors
@@ -125,7 +144,7 @@ impl Renderer {
         let start = Instant::now();
         let mut notes = std::mem::take(&mut self.notes);
         notes.extend_from_slice(&work.notes);
-        let mut watch = Noticed { watch, stopped: false };
+        let mut watch = Noticed { watch, stopped: false, alone: false };
         if let Some(gpu) = &self.gpu {
             match work.on_gpu(gpu, &self.sources, &mut watch) {
                 Ok(_) if watch.stopped => return Err(Error::Stopped),
@@ -135,6 +154,8 @@ impl Renderer {
                 }
                 Err(error) if self.backend == Backend::Auto => {
                     notes.push(format!("{error}; rendering on the CPU instead"));
+                    // What another kind of adapter has made of this picture is of no use to the CPU.
+                    watch.alone = !gpu.exact();
                     self.gpu = None;
                 }
                 Err(error) => return Err(error.into()),
@@ -148,10 +169,21 @@ impl Renderer {
     }
 }
 
+fn no_samples(all: u32) -> String {
+    if all == 0 {
+        return "the rasterizer's samples cannot be made apart; --method trace has sample ranges".to_owned();
+    }
+    format!(
+        "a sample range begins and ends at multiples of {BLOCK}, or at the last of the {all} samples: 0..{BLOCK}"
+    )
+}
+
 /// Passes everything on, and remembers whether the work was stopped before its end.
 struct Noticed<'a> {
     watch: &'a mut dyn Watch,
     stopped: bool,
+    /// Nothing is taken from an earlier try, and nothing is kept for a later one.
+    alone: bool,
 }
 
 impl Watch for Noticed<'_> {
@@ -162,10 +194,12 @@ impl Watch for Noticed<'_> {
     }
 
     fn kept(&mut self, first: u32) -> Option<Run> {
-        self.watch.kept(first)
+        if self.alone { None } else { self.watch.kept(first) }
     }
 
     fn keep(&mut self, run: &Run) {
-        self.watch.keep(run);
+        if !self.alone {
+            self.watch.keep(run);
+        }
     }
 }

@@ -11,7 +11,7 @@ use super::stamp;
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The name's ending is none that we write.
-    #[error("{}: a picture's name ends in .png, .tga or .ppm", .0.display())]
+    #[error("{}: a picture's name ends in .png, .exr, .tga or .ppm", .0.display())]
     Ending(PathBuf),
     /// The picture does not fit the format.
     #[error("{}: {why}", path.display())]
@@ -40,6 +40,8 @@ pub enum Format {
     Tga,
     /// Binary PPM (P6).
     Ppm,
+    /// EXR, linear and in full precision: of films alone, by [`exr::encode`](super::exr::encode).
+    Exr,
 }
 
 impl Format {
@@ -53,6 +55,7 @@ impl Format {
             Some("png") => Ok(Self::Png),
             Some("tga") => Ok(Self::Tga),
             Some("ppm") => Ok(Self::Ppm),
+            Some("exr") => Ok(Self::Exr),
             _ => Err(Error::Ending(path.to_owned())),
         }
     }
@@ -69,6 +72,7 @@ impl Format {
                 picture.write_to(&mut bytes, ImageFormat::Tga).map_err(|error| error.to_string())?;
                 Ok(stamp::into_tga(bytes.into_inner(), stamp))
             }
+            Self::Exr => Err("an OpenEXR file is made of a film, not of a picture of 8 bits".to_owned()),
             Self::Ppm => {
                 let (width, height) = picture.dimensions();
                 let mut bytes = format!("P6\n{}{width} {height}\n255\n", stamp::for_ppm(stamp)).into_bytes();

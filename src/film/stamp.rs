@@ -5,7 +5,7 @@ use std::io::{BufReader, Read as _};
 use std::path::Path;
 
 /// What precedes it where the format has no name for notes.
-const NAME: &str = "twinlight";
+pub(super) const NAME: &str = "twinlight";
 /// The longest stamp; a TGA's note has at most 255 bytes.
 const MOST: usize = 200;
 
@@ -49,6 +49,12 @@ pub fn stamp_of(path: &Path) -> Option<String> {
         let reader = png::Decoder::new(BufReader::new(File::open(path).ok()?)).read_info().ok()?;
         let texts = &reader.info().uncompressed_latin1_text;
         return texts.iter().find(|text| text.keyword == NAME).map(|text| text.text.clone());
+    }
+    if head.starts_with(b"\x76\x2f\x31\x01") {
+        // An EXR's header is short where we wrote it.
+        let mut head = Vec::new();
+        File::open(path).ok()?.take(1 << 16).read_to_end(&mut head).ok()?;
+        return super::exr::stamp_in(&head);
     }
     let note = if head.starts_with(b"P6\n# ") {
         head[5..].split(|b| *b == b'\n').next()?

@@ -2,9 +2,14 @@
 
 use std::ops::Range;
 
+use glam::Vec3;
+
 use super::Error;
+use crate::cpu::first::first;
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
+use crate::film::ledger::Subject;
+use crate::film::pass::{Layer, Pass, Values};
 use crate::film::{Film, Transfer, Watch};
 use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
@@ -12,8 +17,8 @@ use crate::prepare::lens::LONGEST_SIDE;
 use crate::prepare::{draw, prepare};
 use crate::raster;
 use crate::scene::{Maps, Method, Scene};
-use crate::tables::{Drawing, MOST_LENSES, NONE, Tables};
-use crate::trace::{self, Part};
+use crate::tables::{Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables};
+use crate::trace::{self, BLOCK, Part};
 
 /// One picture, made ready: all that a backend reads.
 #[derive(Debug)]
@@ -125,6 +130,110 @@ impl Work {
             Kind::Drawn(drawing) => drawing.each_bytes(&mut add),
         }
         Digest(hasher.finalize())
+    }
+
+    /// The same for some of the samples alone: of the ray tracer, from a multiple of [`BLOCK`].
+    ///
+    /// # Errors
+    /// [`Error::Samples`] if there are no such samples, or the method has none to choose from.
+    pub fn samples(mut self, wanted: Range<u32>) -> Result<Self, Error> {
+        let Kind::Traced(tables, samples) = &mut self.kind else { return Err(Error::Samples(0)) };
+        let ends = wanted.end.is_multiple_of(BLOCK) || wanted.end == tables.samples;
+        let right = wanted.start.is_multiple_of(BLOCK) && ends && wanted.start < wanted.end;
+        if !right || wanted.end > tables.samples {
+            return Err(Error::Samples(tables.samples));
+        }
+        *samples = wanted;
+        Ok(self)
+    }
+
+    /// What runs of the picture belong to; nothing for a method that has none.
+    #[must_use]
+    pub fn subject(&self, stamp: &str) -> Option<Subject> {
+        let Kind::Traced(tables, samples) = &self.kind else { return None };
+        Some(Subject {
+            stamp: stamp.to_owned(),
+            width: tables.view.width,
+            columns: self.columns.clone(),
+            rows: self.rows.clone(),
+            samples: tables.samples,
+            transfer: self.transfer,
+            from: samples.start,
+            to: samples.end,
+        })
+    }
+
+    /// Passes of the picture; `show` draws it with something else shown.
+    pub(super) fn layers(
+        &self,
+        film: &Film,
+        wanted: &[Pass],
+        mut show: impl FnMut(&Work) -> Result<Film, Error>,
+    ) -> Result<Vec<Layer>, Error> {
+        let mut layers: Vec<Layer> = wanted.iter().filter_map(|&pass| Layer::of(film, pass)).collect();
+        let wanted = wanted.iter().copied().filter(|pass| Layer::of(film, *pass).is_none());
+        match &self.kind {
+            Kind::Traced(tables, _) => {
+                let wanted: Vec<_> = wanted.collect();
+                if wanted.is_empty() {
+                    return Ok(layers);
+                }
+                let first = first(tables, self.columns.clone(), self.rows.clone());
+                layers.extend(wanted.into_iter().map(|pass| {
+                    let values = match pass {
+                        Pass::Normal => Values::Three(first.iter().map(|f| f.normal).collect()),
+                        Pass::Albedo => Values::Three(first.iter().map(|f| f.albedo).collect()),
+                        Pass::Shadow => Values::One(first.iter().map(|f| f.shadow).collect()),
+                        _ => Values::One(first.iter().map(|f| f.depth).collect()),
+                    };
+                    Layer { pass, values }
+                }));
+            }
+            Kind::Drawn(drawing) => {
+                for pass in wanted {
+                    let film = show(&self.showing(drawing, pass))?;
+                    let seen = film.ids().iter().map(|id| *id != NONE);
+                    let shown = film.sums().iter().map(|sum| Vec3::new(sum[0], sum[1], sum[2]) / sum[3]).zip(seen);
+                    let reach = drawing.canvas.reach;
+                    let one = |value: fn(f32, f32) -> f32, nothing: f32| {
+                        let values = shown.clone().map(|(v, seen)| if seen { value(v.x, reach) } else { nothing });
+                        Values::One(values.collect())
+                    };
+                    let three = |value: fn(Vec3) -> Vec3| {
+                        let values = shown.clone().map(|(v, seen)| if seen { value(v) } else { Vec3::ZERO });
+                        Values::Three(values.collect())
+                    };
+                    let values = match pass {
+                        Pass::Normal => three(|v| v * 2.0 - 1.0),
+                        Pass::Albedo => three(|v| v),
+                        Pass::Shadow => one(|v, _| v, 0.0),
+                        // What is shown is reach / (reach + depth).
+                        _ => one(|v, reach| reach / v - reach, f32::INFINITY),
+                    };
+                    layers.push(Layer { pass, values });
+                }
+            }
+        }
+        Ok(layers)
+    }
+
+    /// The drawing of one sample that shows a pass instead of colors.
+    fn showing(&self, drawing: &Drawing, pass: Pass) -> Self {
+        let mut drawing = drawing.clone();
+        drawing.eyes.truncate(1);
+        drawing.canvas.show = match pass {
+            Pass::Normal => SHOW_NORMAL,
+            Pass::Albedo => SHOW_ALBEDO,
+            Pass::Shadow => SHOW_SHADOW,
+            _ => SHOW_DEPTH,
+        };
+        if pass != Pass::Shadow {
+            // No light is asked, so none needs its shadows.
+            (drawing.lenses, drawing.lamps) = (Vec::new(), Vec::new());
+        }
+        let kind = Kind::Drawn(Box::new(drawing));
+        let (columns, rows) = (self.columns.clone(), self.rows.clone());
+        Self { kind, transfer: self.transfer, columns, rows, notes: Vec::new() }
     }
 
     pub(super) fn on_gpu(&self, gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch) -> Result<Film, gpu::Error> {

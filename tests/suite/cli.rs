@@ -63,7 +63,7 @@ fn wrong_words_are_told() {
         (&["--method", "guess"], 2, "raster"),
         (&["--backend", "tpu"], 2, "auto"),
         (&["--size", "65536x65536"], 6, "MiB"),
-        (&["-o", "picture.gif"], 2, ".png, .tga or .ppm"),
+        (&["-o", "picture.gif"], 2, ".png, .exr, .tga or .ppm"),
         (&["--adapter", "no such card", "--backend", "gpu"], 5, "no such card"),
     ];
     for (arguments, code, word) in cases {

@@ -12,30 +12,30 @@ const SMALL: [&str; 6] = ["--size", "33x21", "--samples", "1", "--backend", "cpu
 /// Minutes of work.
 const LONG: [&str; 6] = ["--size", "800x600", "--samples", "60000", "--backend", "cpu"];
 
-fn scene(name: &str) -> String {
+pub(super) fn scene(name: &str) -> String {
     root().join("scenes").join(name).display().to_string()
 }
 
-fn command(folder: &Path, arguments: &[&str], more: &[&str]) -> Command {
+pub(super) fn command(folder: &Path, arguments: &[&str], more: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_twinlight"));
     command.current_dir(folder).args(arguments).args(more);
     command
 }
 
-fn run(folder: &Path, arguments: &[&str], more: &[&str]) -> Output {
+pub(super) fn run(folder: &Path, arguments: &[&str], more: &[&str]) -> Output {
     command(folder, arguments, more).output().expect("the binary runs")
 }
 
-fn words(output: &Output) -> String {
+pub(super) fn words(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-fn good(output: &Output) -> String {
+pub(super) fn good(output: &Output) -> String {
     assert_eq!(output.status.code(), Some(0), "{}", words(output));
     String::from_utf8(output.stdout.clone()).expect("text")
 }
 
-fn names(folder: &Path) -> Vec<String> {
+pub(super) fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the folder");
     let mut names: Vec<_> =
         entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
@@ -135,7 +135,7 @@ fn stdout_is_for_data() {
     let bust = [SMALL.as_slice(), &["--method", "raster", "--crop", "9x8+12+6", "-o", "b.png"]].concat();
     good(&run(folder.path(), &["render", &scene("bust.toml")], &bust));
     let dry = lines(&run(folder.path(), &["render", &room, "-o", "a.png", "--dry-run", "--json"], &SMALL));
-    assert_eq!((dry.len(), &dry[0]["made"]), (1, &true.into()), "{dry:?}");
+    assert_eq!((dry.len(), &dry[0]["there"]), (1, &true.into()), "{dry:?}");
     good(&run(folder.path(), &["render", &room, "-o", "none.png", "--dry-run"], &SMALL));
     assert_eq!(names(folder.path()), ["a.png", "b.png"]);
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {

@@ -9,6 +9,7 @@ mod brute;
 mod bvh;
 mod cli;
 mod cli_batch;
+mod cli_parts;
 mod compare;
 mod few;
 mod frames;

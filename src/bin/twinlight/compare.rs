@@ -30,7 +30,9 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let stem = arguments.scene.file_stem().unwrap_or_default().to_string_lossy();
     let output = arguments.output.clone().unwrap_or_else(|| format!("{stem}-compare.png").into());
-    Format::of(&output)?;
+    if Format::of(&output)? == Format::Exr {
+        return Err(Failure::Usage("a comparison is a picture of 8 bits: .png, .tga or .ppm".to_owned()));
+    }
     let source = arguments.job.input.open(&arguments.scene)?;
     let (scene, method) = arguments.job.scene(&source, 1)?;
     let mut on_gpu = Renderer::open(Backend::Gpu, &arguments.job.wanted())?;

@@ -20,6 +20,10 @@ pub(crate) enum Failure {
     Sizes(#[from] film::compare::Sizes),
     #[error("cannot write to stdout: {0}")]
     Stdout(#[from] std::io::Error),
+    #[error(transparent)]
+    Merge(film::merge::Misfit),
+    #[error("{0}: cannot read the part: {1}")]
+    Part(String, std::io::Error),
     #[error("{0}")]
     Usage(String),
     #[error(
@@ -39,11 +43,11 @@ impl Failure {
             Self::Scene(SceneError::Memory { .. })
             | Self::Gpu(gpu::Error::NoRoom { .. })
             | Self::Render(render::Error::Gpu(gpu::Error::NoRoom { .. })) => 6,
-            Self::Scene(_) => 3,
+            Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Usage(_)
             | Self::Sizes(_)
             | Self::Film(film::Error::Ending(_))
-            | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_)) => 2,
+            | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_) | render::Error::Samples(_)) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
             // Only who asked for the stop knows why; without a reason it is the deadline's.
@@ -54,6 +58,10 @@ impl Failure {
 
     /// Whether the next picture may fare better.
     pub(crate) fn is_of_one_scene(&self) -> bool {
-        matches!(self, Self::Scene(_) | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_)))
+        matches!(
+            self,
+            Self::Scene(_)
+                | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_) | render::Error::Samples(_))
+        )
     }
 }

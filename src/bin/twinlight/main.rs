@@ -1,12 +1,15 @@
 //! `twinlight`: arguments -> a job -> a picture or a sentence.
 
+mod call;
 mod check;
 mod claim;
 mod compare;
+mod eye;
 mod failure;
 mod frames;
 mod info;
 mod job;
+mod merge;
 mod names;
 mod plan;
 mod progress;
@@ -56,6 +59,14 @@ enum Command {
     /// Prints the tolerance table with what was found, writes `cpu | gpu | difference` side by side, and ends
     /// with exit code 1 if anything is over its tolerance.
     Compare(Box<compare::Arguments>),
+    /// Put together what several `render --sample-range` have made, as if it had been made at once.
+    ///
+    /// Every sample must be there once, and all parts of one picture: the same scene, settings and version.
+    #[command(after_help = "Example:
+  twinlight render scenes/room.toml --samples 256 --sample-range 0..128 -o a.part
+  twinlight render scenes/room.toml --samples 256 --sample-range 128..256 -o b.part
+  twinlight merge a.part b.part -o room.png")]
+    Merge(merge::Arguments),
     /// Say whether scenes can be rendered, all their frames, without rendering them.
     Check(check::Arguments),
     /// List the adapters, what of their limits matters, and what would be used and why.
@@ -79,6 +90,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Merge(arguments) => merge::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Completions { shell } => completions(shell),
         Command::Info(arguments) => info::run(&arguments),

@@ -1,6 +1,7 @@
 //! scenes, frames and a name -> the pictures of a call
 
 use std::collections::HashMap;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use twinlight::film::Format;
@@ -32,6 +33,8 @@ impl Picture {
 pub(crate) struct Names<'a> {
     pub(crate) output: Option<&'a str>,
     pub(crate) frames: Option<&'a Frames>,
+    /// Of a part of the samples.
+    pub(crate) samples: Option<&'a Range<u32>>,
 }
 
 /// The pictures of scenes in their order.
@@ -48,7 +51,11 @@ pub(crate) fn plan(sources: &[Source], names: &Names<'_>) -> Result<Vec<Picture>
     let mut seen = HashMap::new();
     for picture in &pictures {
         let Some(file) = &picture.file else { continue };
-        Format::of(file)?;
+        if names.samples.is_none() {
+            Format::of(file)?;
+        } else if file.extension().is_none_or(|ending| ending != "part") {
+            return Err(Failure::Usage(format!("{}: the name of a part ends in .part", file.display())));
+        }
         // Some file systems take a.png and A.png for one.
         if let Some(other) = seen.insert(file.to_string_lossy().to_lowercase(), picture) {
             let (a, b) = (of(other, sources), of(picture, sources));
@@ -69,9 +76,10 @@ fn of_scene(
     pictures: &mut Vec<Picture>,
 ) -> Result<(), Failure> {
     let many = source.frames().is_some() || frames.len() > 1;
-    let usual = if many { "{scene}-{frame:4}.png" } else { "{scene}.png" };
+    let ending = names.samples.map_or_else(|| ".png".to_owned(), |s| format!("-{}-{}.part", s.start, s.end));
+    let usual = if many { "{scene}-{frame:4}" } else { "{scene}" }.to_owned() + &ending;
     let name = match names.output {
-        Some("-") if pictures.is_empty() && frames.len() == 1 => {
+        Some("-") if pictures.is_empty() && frames.len() == 1 && names.samples.is_none() => {
             pictures.push(Picture { scene, frames, file: None });
             return Ok(());
         }
@@ -80,7 +88,7 @@ fn of_scene(
             format!("{}/{usual}", folder.trim_end_matches('/'))
         }
         Some(name) => name.to_owned(),
-        None => usual.to_owned(),
+        None => usual,
     };
     let template: Template = template(&name).map_err(Failure::Usage)?;
     let file = |frame: i64| template.fill(source.path(), frame);
@@ -93,7 +101,7 @@ fn of_scene(
         return Ok(());
     }
     let all = file(frames[0]);
-    if Format::of(&all)? != Format::Png {
+    if names.samples.is_some() || Format::of(&all)? != Format::Png {
         return Err(Failure::Usage(format!(
             "{}: {} frames need {{frame:4}} or #### in the name; in a .png alone they can become one animated picture",
             all.display(),

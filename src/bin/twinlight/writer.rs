@@ -1,30 +1,52 @@
 //! films -> files and lines of JSON, beside the rendering of the next ones
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::JoinHandle;
 
 use indicatif::ProgressBar;
-use twinlight::film::{self, Film, Format, Moving, Transfer, replace};
+use twinlight::film::pass::{Layer, Pass};
+use twinlight::film::{self, Film, Format, Moving, Transfer, exr, replace};
 
 use crate::claim::Claim;
 use crate::job::{Failure, say};
 
-/// A film, and what is to become of it.
+/// The name of stdout.
+pub(crate) const STDOUT: &str = "-";
+
+/// What is printed of a picture as JSON.
+pub(crate) type Report = serde_json::Map<String, serde_json::Value>;
+
+/// What is told of a picture, once it is written.
+#[derive(Debug)]
+pub(crate) struct Told {
+    pub(crate) report: Report,
+    pub(crate) sentence: String,
+}
+
+/// What was made, and what is to become of it.
 #[derive(Debug)]
 pub(crate) struct Made {
-    pub(crate) film: Film,
-    pub(crate) transfer: Transfer,
-    /// Nothing for stdout.
-    pub(crate) file: Option<PathBuf>,
-    pub(crate) stamp: String,
-    /// Pictures a second and how many there are, in an animated one.
-    pub(crate) moving: Option<(f32, u32)>,
-    /// What is told of it, once it is written.
-    pub(crate) report: serde_json::Map<String, serde_json::Value>,
-    pub(crate) sentence: String,
-    /// Given back once it is written.
+    pub(crate) body: Body,
+    pub(crate) told: Told,
+    /// Given back once all is written.
     pub(crate) claim: Option<Claim>,
+}
+
+/// What was made.
+#[derive(Debug)]
+pub(crate) enum Body {
+    /// A part of a picture's samples.
+    Part { file: PathBuf, bytes: Vec<u8> },
+    Frame {
+        film: Box<Film>,
+        transfer: Transfer,
+        layers: Vec<Layer>,
+        /// Each with what it is known by, and the pass that it shows.
+        files: Vec<(PathBuf, String, Option<Pass>)>,
+        /// Pictures a second and how many there are, in an animated one.
+        moving: Option<(f32, u32)>,
+    },
 }
 
 /// A thread that writes. One film waits for it at most, so memory is bounded.
@@ -61,44 +83,71 @@ struct Begun {
     frames: u32,
 }
 
-fn write(films: &Receiver<Made>, json: bool, bar: &ProgressBar) -> Result<(), Failure> {
+fn write(all: &Receiver<Made>, json: bool, bar: &ProgressBar) -> Result<(), Failure> {
     let mut begun: Option<Begun> = None;
-    for made in films {
-        let picture = made.film.to_rgb8(made.transfer);
-        let path = made.file.clone().unwrap_or_else(|| "-".into());
-        let wrong = |why: String| film::Error::Encode { path: path.clone(), why };
-        let bytes = if let Some((rate, count)) = made.moving {
-            // Of a picture that one of its frames has failed, no more frames come.
-            let mut all = if let Some(all) = begun.take().filter(|all| all.path == path) {
-                all
-            } else {
-                let size = picture.dimensions().into();
-                let moving = Moving::new(size, count, rate, &made.stamp).map_err(wrong)?;
-                Begun { path: path.clone(), moving, frames: 0 }
-            };
-            all.moving.push(&picture).map_err(wrong)?;
-            all.frames += 1;
-            if all.frames < count {
-                begun = Some(all);
-                continue;
+    for made in all {
+        let files = match made.body {
+            Body::Part { file, bytes } => vec![(file, bytes)],
+            Body::Frame { film, transfer, files, moving: Some((rate, count)), .. } => {
+                let Some((path, stamp, _)) = files.into_iter().next() else { continue };
+                let wrong = |why: String| film::Error::Encode { path: path.clone(), why };
+                let picture = film.to_rgb8(transfer);
+                // Of a picture that one of its frames has failed, no more frames come.
+                let mut all = if let Some(all) = begun.take().filter(|all| all.path == path) {
+                    all
+                } else {
+                    let size = picture.dimensions().into();
+                    let moving = Moving::new(size, count, rate, &stamp).map_err(wrong)?;
+                    Begun { path: path.clone(), moving, frames: 0 }
+                };
+                all.moving.push(&picture).map_err(wrong)?;
+                all.frames += 1;
+                if all.frames < count {
+                    begun = Some(all);
+                    continue;
+                }
+                vec![(path.clone(), all.moving.finish().map_err(wrong)?)]
             }
-            all.moving.finish()
-        } else {
-            let format = made.file.as_ref().map_or(Ok(Format::Png), |file| Format::of(file))?;
-            format.encode(&picture, &made.stamp)
+            Body::Frame { film, transfer, layers, files, moving: None } => {
+                let encoded = files.into_iter().map(|(path, stamp, pass)| {
+                    let bytes = encode(&film, transfer, &layers, &path, &stamp, pass)?;
+                    Ok((path, bytes))
+                });
+                encoded.collect::<Result<Vec<_>, Failure>>()?
+            }
         };
-        let bytes = bytes.map_err(wrong)?;
-        match &made.file {
-            Some(file) => replace(file, &bytes)?,
-            None => drop(say(&bytes)?),
+        for (file, bytes) in &files {
+            if file.as_os_str() == STDOUT {
+                say(bytes)?;
+            } else {
+                replace(file, bytes)?;
+            }
         }
-        bar.suspend(|| eprintln!("{}", made.sentence));
+        bar.suspend(|| eprintln!("{}", made.told.sentence));
         if json {
-            let mut report = made.report;
-            report.insert("hash".to_owned(), blake3::hash(&bytes).to_hex().to_string().into());
+            let mut report = made.told.report;
+            let hash = files.first().map(|(_, bytes)| blake3::hash(bytes).to_hex().to_string());
+            report.insert("hash".to_owned(), hash.into());
             say(serde_json::Value::Object(report).to_string() + "\n")?;
         }
-        drop(made.claim);
+        made.claim.into_iter().for_each(Claim::done);
     }
     Ok(())
+}
+
+fn encode(
+    film: &Film,
+    transfer: Transfer,
+    layers: &[Layer],
+    path: &Path,
+    stamp: &str,
+    pass: Option<Pass>,
+) -> Result<Vec<u8>, Failure> {
+    let format = if path.as_os_str() == STDOUT { Format::Png } else { Format::of(path)? };
+    let encoded = match pass.and_then(|pass| layers.iter().find(|layer| layer.pass == pass)) {
+        _ if format == Format::Exr => exr::encode(film, layers, stamp),
+        Some(layer) => format.encode(&layer.picture(film.width(), film.height(), transfer), stamp),
+        None => format.encode(&film.to_rgb8(transfer), stamp),
+    };
+    Ok(encoded.map_err(|why| film::Error::Encode { path: path.to_owned(), why })?)
 }
