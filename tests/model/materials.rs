@@ -30,7 +30,7 @@ fn material(mtl: &str) -> (Material, Vec<String>) {
 #[test]
 fn numbers() {
     let (all, said) = material("Ka 0.1 0.2 0.3\nKd 1 0.5 .25\nKs 0.5\nKe 2 2 2\nNs 96.1\nNi 1.5\nd 0.5\nillum 2\n");
-    assert_eq!(said, [""; 0]);
+    assert_eq!(said, ["m.mtl:1: material `a` is partly transparent (`d` or `Tr`), and is drawn opaque"]);
     assert_eq!((all.ambient, all.diffuse), (Vec3::new(0.1, 0.2, 0.3), Vec3::new(1.0, 0.5, 0.25)));
     assert_eq!((all.specular, all.emission), (Vec3::splat(0.5), Vec3::splat(2.0)));
     assert_eq!((all.exponent, all.refraction_index, all.opacity, all.illumination), (96.1, 1.5, 0.5, Some(2)));
@@ -61,14 +61,15 @@ fn what_cannot_be_taken_is_told() {
         ("wobble 3", "m.mtl:2: the statement `wobble` is not known, and is passed over"),
         ("map_Kd", "m.mtl:2: `map_Kd` names no file"),
         ("map_Kd -s 1 1 1", "m.mtl:2: `map_Kd` names no file"),
-        ("d 0", "m.mtl:1: material `a` is wholly transparent (`d 0` or `Tr 1`)"),
+        ("d 0", "m.mtl:1: material `a` is wholly transparent (`d` or `Tr`), and is drawn opaque"),
+        ("map_d p.png", "m.mtl:2: the picture `p.png` cuts nothing out: opacity maps are drawn opaque"),
         ("map_Ks no.png", "m.mtl:2: the picture `no.png`: there is no such file; it is left out"),
         ("newmtl a", "m.mtl:2: material `a` is defined again, and the later one is used"),
     ];
     for (line, sentence) in cases {
         let (material, said) = material(line);
         assert_eq!(said, [sentence], "{line}");
-        if !line.starts_with('d') && !line.starts_with("map_Ks") {
+        if !line.starts_with('d') && !line.starts_with("map_Ks") && !line.starts_with("map_d") {
             assert_eq!(material, Material::named("a"), "{line}");
         }
     }

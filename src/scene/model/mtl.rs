@@ -147,12 +147,17 @@ impl Written {
         if has(Use::Specular) && !self.specular_said {
             self.material.specular = Vec3::ONE;
         }
-        if self.material.opacity == 0.0 {
-            let text = format!(
-                "material {} is wholly transparent (`d 0` or `Tr 1`)",
-                quote(self.material.name.as_bytes())
-            );
+        // Silence would pass for glass.
+        if self.material.opacity < 1.0 {
+            let much = if self.material.opacity == 0.0 { "wholly" } else { "partly" };
+            let name = quote(self.material.name.as_bytes());
+            let text = format!("material {name} is {much} transparent (`d` or `Tr`), and is drawn opaque");
             warnings.add(&self.file, self.line, text);
+        }
+        for asked in self.maps.iter().filter(|asked| asked.used == Use::Opacity) {
+            let name = quote(asked.name.as_bytes());
+            let text = format!("the picture {name} cuts nothing out: opacity maps are drawn opaque");
+            warnings.add(&self.file, asked.line, text);
         }
     }
 }
