@@ -8,3 +8,5 @@ mod lanes;
 pub mod raster;
 pub mod shade;
 pub mod trace;
+
+pub use lanes::{Walker, Wides};

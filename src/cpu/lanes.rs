@@ -10,6 +10,11 @@
 pub(super) mod few;
 mod meet;
 mod shade;
+mod walk;
+mod wide;
+
+pub use walk::Walker;
+pub use wide::Wides;
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f32x8, mask32x8};

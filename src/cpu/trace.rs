@@ -19,7 +19,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::cpu::lanes::{self, LANES};
+use crate::cpu::lanes::{self, LANES, Walker, Wides};
 use crate::tables::{GROUP, IDLE, Slice, Status, Tables};
 use crate::trace::{Paths, Trace};
 
@@ -27,6 +27,7 @@ use crate::trace::{Paths, Trace};
 #[derive(Debug)]
 pub struct CpuTrace<'a> {
     tables: &'a Tables,
+    wides: Wides,
     status: Status,
 }
 
@@ -34,7 +35,7 @@ impl<'a> CpuTrace<'a> {
     /// A tracer of one scene.
     #[must_use]
     pub fn new(tables: &'a Tables) -> Self {
-        Self { tables, status: bytemuck::Zeroable::zeroed() }
+        Self { tables, wides: Wides::new(tables), status: bytemuck::Zeroable::zeroed() }
     }
 
     /// What the stages have told since the last [`Trace::settle`].
@@ -95,13 +96,21 @@ impl Trace for CpuTrace<'_> {
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let deep = tables.deep as usize;
+        let wides = &self.wides;
         let stacks = paths.waiting.par_chunks_mut(group * depth).zip(paths.walks.par_chunks_mut(group * deep));
         let told =
             paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, (waiting, walks)))| {
                 let mut status = ONE_GROUP;
                 let stacks = waiting.chunks_mut(depth).zip(walks.chunks_mut(deep));
+                let mut walker = Walker::new(tables, wides);
                 for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(g as u32 * GROUP..) {
-                    follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                    if slice.budget == u32::MAX {
+                        let walk = |ray, start, any| walker.walk(ray, start, any);
+                        follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                    } else {
+                        let walk = |ray, start, any| walk::walk(tables, walk, ray, start, slice.budget, any);
+                        follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                    }
                 }
                 status
             });

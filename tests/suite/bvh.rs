@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use twinlight::cpu::trace::aim::{Ray, aim_of};
 use twinlight::cpu::trace::walk::{Walk, meet, walk};
+use twinlight::cpu::{Walker, Wides};
 use twinlight::math::Vec3;
 use twinlight::prepare::bvh::{Binned, Bounds, Builder, Tree};
 use twinlight::prepare::{prepare, prepare_with};
@@ -124,9 +125,11 @@ struct Tally {
 
 /// So many rays, each asked for its nearest hit and for any.
 fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> Tally {
+    let wides = Wides::new(tables);
     let tally = |chunk: usize| {
         let mut dice = Dice(seed, (chunk as u32) << 18);
         let mut stack = vec![[0; 2]; tables.deep as usize];
+        let mut walker = Walker::new(tables, &wides);
         let mut tally = Tally::default();
         for _ in 0..1000.min(rays - chunk * 1000) {
             let ray = ray(&mut dice, tables);
@@ -138,6 +141,10 @@ fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> Tally {
             let blocked = walk(tables, &mut stack, ray, Walk::new(beyond), u32::MAX, true);
             let same = found.hit == expected.hit && found.t.to_bits() == expected.t.to_bits();
             let same = same && free.hit == NONE && (blocked.hit == NONE) == (expected.hit == NONE);
+            let eight = walker.walk(ray, Walk::new(FAR), false);
+            let same = same && eight.hit == expected.hit && eight.t.to_bits() == expected.t.to_bits();
+            let same = same && walker.walk(ray, Walk::new(expected.t), true).hit == NONE;
+            let same = same && (walker.walk(ray, Walk::new(beyond), true).hit == NONE) == (expected.hit == NONE);
             assert_eq!(found.flags | free.flags | blocked.flags, 0, "a stack was full");
             tally.rays += 1;
             tally.hits += usize::from(expected.hit != NONE);

@@ -6,6 +6,11 @@ fn bytes(word: u32) -> vec4u {
     return (vec4u(word) >> vec4u(0u, 8u, 16u, 24u)) & vec4u(255u);
 }
 
+// Processors convert signed numbers in one step, others in eight.
+fn steps(word: u32) -> vec4f {
+    return vec4f(vec4i(bytes(word)));
+}
+
 // Where the ray is on one axis: at `near + step * byte` it crosses a near side, at `far + step * byte` a far one.
 struct Axis {
     step: f32,
@@ -42,12 +47,12 @@ fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
     var met = 0u;
     #repeat 2
     {
-        let enter_x = vec4f(bytes(near_x[$i])) * x.step + x.near;
-        let enter_y = vec4f(bytes(near_y[$i])) * y.step + y.near;
-        let enter_z = vec4f(bytes(near_z[$i])) * z.step + z.near;
-        let leave_x = vec4f(bytes(far_x[$i])) * x.step + x.far;
-        let leave_y = vec4f(bytes(far_y[$i])) * y.step + y.far;
-        let leave_z = vec4f(bytes(far_z[$i])) * z.step + z.far;
+        let enter_x = steps(near_x[$i]) * x.step + x.near;
+        let enter_y = steps(near_y[$i]) * y.step + y.near;
+        let enter_z = steps(near_z[$i]) * z.step + z.near;
+        let leave_x = steps(far_x[$i]) * x.step + x.far;
+        let leave_y = steps(far_y[$i]) * y.step + y.far;
+        let leave_z = steps(far_z[$i]) * z.step + z.far;
         let enter = max(max(enter_x, enter_y), max(enter_z, vec4f(0.0)));
         let leave = min(min(leave_x, leave_y), min(leave_z, vec4f(t)));
         let bits = select(vec4u(0u), bits_of(node.kinds[$i], aim.octant), enter <= leave);

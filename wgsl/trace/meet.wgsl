@@ -59,9 +59,7 @@ fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
     let v = ax * cy - ay * cx;
     let w = bx * ay - by * ax;
     let area = u + v + w;
-    if ((min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0) || area == 0.0) {
-        return FAR;
-    }
+    let outside = (min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0) || area == 0.0;
     let scaled = u * a.z + v * b.z + w * c.z;
     // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box,
     // so that no node hides what a test would find.
@@ -71,8 +69,7 @@ fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
     let far = max(low, high) + aim.own;
     let enter = max(near.x, max(near.y, near.z));
     let leave = min(far.x, min(far.y, far.z));
-    if (enter > leave) {
-        return FAR;
-    }
-    return ahead(max(enter, min(leave, scaled * aim.shear.z / area)));
+    let t = ahead(max(enter, min(leave, scaled * aim.shear.z / area)));
+    // By choice: a software adapter goes both ways of every branch.
+    return select(t, FAR, outside || enter > leave);
 }

@@ -39,17 +39,14 @@ fn over(walk: Walk, any: bool) -> bool {
     return walk.next == settings.planes + 1u || (any && walk.hit != NONE);
 }
 
-fn meet(ray: Ray, aim: Aim, per_length_squared: f32, i: u32) -> f32 {
+fn meet(ray: Ray, aim: Aim, per_length_squared: f32, leaf: Leaf, i: u32) -> f32 {
     #repeat spheres_below
-    if (leaves[i].kind == SPHERE) {
-        let sphere = Sphere(leaves[i].a, leaves[i].b.x, 0u, 0u, vec2u(0u));
+    if (leaf.kind == SPHERE) {
+        let sphere = Sphere(leaf.a, leaf.b.x, 0u, 0u, vec2u(0u));
         return meet_sphere(ray, sphere, per_length_squared, ray.leaves == i);
     }
     #end
-    if (ray.leaves == i) {
-        return FAR;
-    }
-    return meet_triangle(ray, leaves[i], aim);
+    return select(meet_triangle(ray, leaf, aim), FAR, ray.leaves == i);
 }
 
 // Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
@@ -107,12 +104,12 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
         while (met != 0u && !(any && walk.hit != NONE)) {
             let i = node.leaves + firstTrailingBit(met);
             met &= met - 1u;
-            let t = meet(ray, aim, per_length_squared, i);
-            if (t < walk.t || (t == walk.t && leaves[i].id < id)) {
-                walk.t = t;
-                walk.hit = i;
-                id = leaves[i].id;
-            }
+            let leaf = leaves[i];
+            let t = meet(ray, aim, per_length_squared, leaf, i);
+            let nearer = t < walk.t || (t == walk.t && leaf.id < id);
+            walk.t = select(walk.t, t, nearer);
+            walk.hit = select(walk.hit, i, nearer);
+            id = select(id, leaf.id, nearer);
             walk.turns += 1u;
         }
         if (met != 0u && !(any && walk.hit != NONE)) {

@@ -5,18 +5,18 @@ use glam::Vec3;
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::surface::surface_at;
 use crate::cpu::trace::tree::{Lit, go_on, lit, turn_back};
-use crate::cpu::trace::walk::{Walk, walk};
+use crate::cpu::trace::walk::Walk;
 use crate::tables::{LIT, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
 
-/// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long, and `stack` its walks', `deep`
-/// long.
+/// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long; `walk` goes on from where a
+/// walk is, for any hit or for the nearest.
 pub fn follow(
     tables: &Tables,
     slice: &Slice,
     i: u32,
     path: &mut Path,
     waiting: &mut [Waiting],
-    stack: &mut [[u32; 2]],
+    mut walk: impl FnMut(Ray, Walk, bool) -> Walk,
     status: &mut Status,
 ) {
     let settings = &tables.settings;
@@ -50,7 +50,7 @@ pub fn follow(
             break;
         };
         let start = Walk { t, hit, next: path.next, turns, flags: 0 };
-        let found = walk(tables, stack, ray, start, slice.budget, !own);
+        let found = walk(ray, start, !own);
         turns = found.turns;
         status.flags |= found.flags;
         if own {

@@ -48,19 +48,9 @@ pub fn meet(ray: Ray, aim: &Aim, per_length_squared: f32, leaf: &Leaf, i: u32) -
     meet_triangle(ray, leaf, aim)
 }
 
-/// A child that is a node, and no primitive.
-const NODES: u32 = 0xff00_0000;
-
-/// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
-/// With `any`, stops at the first that is met.
-///
-/// `stack` has `deep` places: the children of nodes that are still to be asked, where all of a node's begin; a bit for
-/// each from bit 24 up, the next one the highest; and below bit 8, which of the places hold nodes.
-#[must_use]
-pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
-    let planes = tables.settings.planes;
-    let mut walk = start;
-    while walk.next < planes && walk.turns < most && !(any && walk.hit != NONE) {
+/// Asks the planes: they lie below no node.
+pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) {
+    while walk.next < tables.settings.planes && walk.turns < most && !(any && walk.hit != NONE) {
         let i = walk.next;
         let leaf = &tables.leaves[i as usize];
         let t = meet_plane(ray, &Plane { point: leaf.a, material: 0, normal: leaf.b, pad: 0 });
@@ -71,6 +61,21 @@ pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most
         walk.next = i + 1;
         walk.turns += 1;
     }
+}
+
+/// A child that is a node, and no primitive.
+const NODES: u32 = 0xff00_0000;
+
+/// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
+/// With `any`, stops at the first that is met.
+///
+/// `stack` has `deep` places: the children of nodes that are still to be asked, where all of a node's begin; a bit for
+/// each from bit 24 up, the next one the highest; and below bit 8, which of the places hold nodes.
+#[must_use]
+pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
+    let mut walk = start;
+    planes(tables, ray, &mut walk, most, any);
+    let planes = tables.settings.planes;
     if walk.next < planes {
         return walk;
     }

@@ -1,0 +1,247 @@
+//! a ray and the scene -> what `cpu/trace/walk.rs` finds, in another order: eight boxes and eight triangles at once
+//!
+//! Children are asked as the ray meets their boxes, not by their places; no order can show in what is found.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Level, dispatch, f32x8};
+use glam::Vec3;
+
+use super::LANES;
+use super::wide::{Block, Wide, Wides};
+use crate::cpu::trace::aim::{Aim, Ray, aim_of};
+use crate::cpu::trace::walk::{Walk, meet, planes};
+use crate::tables::{Leaf, NONE, Tables};
+
+/// Walks of one scene, one after the other.
+#[derive(Debug)]
+pub struct Walker<'a> {
+    tables: &'a Tables,
+    wides: &'a Wides,
+    level: Level,
+    /// Nodes to be asked, the nearest last. Above its number stand the bits of where the ray enters a node, which are
+    /// in the order of their numbers from zero up.
+    stack: Vec<u64>,
+}
+
+impl<'a> Walker<'a> {
+    /// Walks of the scene of these tables, and of the tree that was made of them.
+    #[must_use]
+    pub fn new(tables: &'a Tables, wides: &'a Wides) -> Self {
+        Self { tables, wides, level: Level::new(), stack: vec![0; LANES * tables.deep as usize] }
+    }
+
+    /// From its start to its end.
+    pub fn walk(&mut self, ray: Ray, mut start: Walk, any: bool) -> Walk {
+        planes(self.tables, ray, &mut start, u32::MAX, any);
+        if !(any && start.hit != NONE) {
+            let aim = aim_of(ray, self.tables.settings.low, self.tables.settings.high);
+            dispatch!(self.level, simd => self.below(simd, ray, &aim, &mut start, any));
+        }
+        start.turns += 1;
+        start.next = self.tables.settings.planes + 1;
+        start
+    }
+
+    #[inline(always)]
+    fn below<S: Simd>(&mut self, simd: S, ray: Ray, aim: &Aim, walk: &mut Walk, any: bool) {
+        let wides = self.wides;
+        let eyes = Eyes::new(simd, ray, aim);
+        let mut id = self.tables.leaves.get(walk.hit as usize).map_or(0, |leaf| leaf.id);
+        let stack = &mut self.stack[..];
+        let mut size = 0;
+        let mut at = 0;
+        loop {
+            let node = &wides.nodes[at as usize];
+            let (enter, mut met) = eyes.boxes(node, walk.t);
+            if met & !node.inner != 0 {
+                for (held, block) in node.held.into_iter().zip(node.first..) {
+                    if met & held != 0 {
+                        eyes.leaves(&self.tables.leaves, &wides.blocks[block as usize], walk, &mut id);
+                    }
+                }
+                if any && walk.hit != NONE {
+                    return;
+                }
+            }
+            met &= node.inner;
+            if met != 0 {
+                let enter = enter.to_array();
+                let bottom = size;
+                let mut nearest = u64::MAX;
+                while met != 0 {
+                    let child = met.trailing_zeros() as usize % LANES;
+                    met &= met - 1;
+                    let own = u64::from(enter[child].to_bits()) << 32 | u64::from(node.children[child]);
+                    let farther = nearest.max(own);
+                    nearest = nearest.min(own);
+                    if farther == u64::MAX {
+                        continue;
+                    }
+                    let mut i = size;
+                    while i > bottom && stack[i - 1] < farther {
+                        stack[i] = stack[i - 1];
+                        i -= 1;
+                    }
+                    stack[i] = farther;
+                    size += 1;
+                }
+                at = nearest as u32;
+                if f32::from_bits((nearest >> 32) as u32) <= walk.t {
+                    continue;
+                }
+            }
+            at = loop {
+                if size == 0 {
+                    return;
+                }
+                size -= 1;
+                let top = stack[size];
+                if f32::from_bits((top >> 32) as u32) <= walk.t {
+                    break top as u32;
+                }
+            };
+        }
+    }
+}
+
+/// One ray in all lanes.
+struct Eyes<S: Simd> {
+    simd: S,
+    ray: Ray,
+    aim: Aim,
+    per_length_squared: f32,
+    origin: [f32x8<S>; 3],
+    inverse: [f32x8<S>; 3],
+    /// What a near side and a far side lose: where the origin lies, with the slack.
+    near_from: [f32x8<S>; 3],
+    far_from: [f32x8<S>; 3],
+    /// Which of the sides of boxes are the near ones; the far one of an axis is the other one.
+    near: [usize; 3],
+}
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: Vec3) -> [f32x8<S>; 3] {
+    [f32x8::splat(simd, v.x), f32x8::splat(simd, v.y), f32x8::splat(simd, v.z)]
+}
+
+impl<S: Simd> Eyes<S> {
+    #[inline(always)]
+    fn new(simd: S, ray: Ray, aim: &Aim) -> Self {
+        // Sides and origin are multiplied before they are subtracted: what that takes off is in proportion to how far
+        // all lies from zero, not from the ray.
+        let from = ray.origin * aim.inverse;
+        let slack = aim.slack + from.abs() * 3.8146973e-6;
+        let near = |axis: usize| 2 * axis + usize::from(aim.inverse[axis] < 0.0);
+        Self {
+            simd,
+            ray,
+            aim: *aim,
+            per_length_squared: 1.0 / ray.direction.dot(ray.direction),
+            origin: splat(simd, ray.origin),
+            inverse: splat(simd, aim.inverse),
+            near_from: splat(simd, from + slack),
+            far_from: splat(simd, from - slack),
+            near: [near(0), near(1), near(2)],
+        }
+    }
+
+    /// Twin of [`boxes_met`](crate::cpu::trace::boxes::boxes_met): where the ray enters, and a bit for each child.
+    #[inline(always)]
+    fn boxes(&self, node: &Wide, t: f32) -> (f32x8<S>, u32) {
+        let x = self.sides(node, 0);
+        let y = self.sides(node, 1);
+        let z = self.sides(node, 2);
+        let entered = x.0.max(y.0).max(z.0.max(f32x8::splat(self.simd, 0.0)));
+        let left = x.1.min(y.1).min(z.1.min(f32x8::splat(self.simd, t)));
+        (entered, entered.simd_le(left).to_bitmask() as u32)
+    }
+
+    /// Asks a block's primitives, whichever child they belong to: what a ray meets, its box does.
+    #[inline(always)]
+    fn leaves(&self, leaves: &[Leaf], block: &Block, walk: &mut Walk, id: &mut u32) {
+        let (distances, met) = self.triangles(block, walk.t);
+        let mut left = met | block.spheres;
+        if left == 0 {
+            return;
+        }
+        let distances = distances.to_array();
+        while left != 0 {
+            let lane = left.trailing_zeros() as usize % LANES;
+            left &= left - 1;
+            let i = block.first + lane as u32;
+            let leaf = &leaves[i as usize];
+            let sphere = block.spheres & 1 << lane != 0;
+            let t =
+                if sphere { meet(self.ray, &self.aim, self.per_length_squared, leaf, i) } else { distances[lane] };
+            let own = !sphere && i == self.ray.leaves;
+            if !own && (t < walk.t || (t == walk.t && leaf.id < *id)) {
+                walk.t = t;
+                walk.hit = i;
+                *id = leaf.id;
+            }
+        }
+    }
+
+    /// Where the ray crosses the near and the far sides on one axis.
+    #[inline(always)]
+    fn sides(&self, node: &Wide, axis: usize) -> (f32x8<S>, f32x8<S>) {
+        let near = f32x8::from_slice(self.simd, &node.sides[self.near[axis]]) * self.inverse[axis];
+        let far = f32x8::from_slice(self.simd, &node.sides[self.near[axis] ^ 1]) * self.inverse[axis];
+        (near - self.near_from[axis], far - self.far_from[axis])
+    }
+
+    /// A corner of eight triangles, seen from the ray, its axes in turn.
+    #[inline(always)]
+    fn from(&self, corner: &[[f32; LANES]; 3], axes: [usize; 3]) -> [f32x8<S>; 3] {
+        [
+            f32x8::from_slice(self.simd, &corner[axes[0]]) - self.origin[axes[0]],
+            f32x8::from_slice(self.simd, &corner[axes[1]]) - self.origin[axes[1]],
+            f32x8::from_slice(self.simd, &corner[axes[2]]) - self.origin[axes[2]],
+        ]
+    }
+
+    /// Where the ray crosses the sides of eight triangles' own boxes on one axis.
+    #[inline(always)]
+    fn own_sides(&self, axis: usize, a: f32x8<S>, b: f32x8<S>, c: f32x8<S>) -> (f32x8<S>, f32x8<S>) {
+        let low = a.min(b.min(c)) * self.inverse[axis];
+        let high = a.max(b.max(c)) * self.inverse[axis];
+        (low.min(high) - self.aim.own[axis], low.max(high) + self.aim.own[axis])
+    }
+
+    /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and a bit for each triangle
+    /// that is met up to `most`.
+    #[inline(always)]
+    fn triangles(&self, block: &Block, most: f32) -> (f32x8<S>, u32) {
+        let axes = [(self.aim.axis as usize + 1) % 3, (self.aim.axis as usize + 2) % 3, self.aim.axis as usize % 3];
+        let a = self.from(&block.corners[0], axes);
+        let b = self.from(&block.corners[1], axes);
+        let c = self.from(&block.corners[2], axes);
+        let [sx, sy, sz] = self.aim.shear.to_array();
+        let ax = a[0] - a[2] * sx;
+        let ay = a[1] - a[2] * sy;
+        let bx = b[0] - b[2] * sx;
+        let by = b[1] - b[2] * sy;
+        let cx = c[0] - c[2] * sx;
+        let cy = c[1] - c[2] * sy;
+        let u = cx * by - cy * bx;
+        let v = ax * cy - ay * cx;
+        let w = bx * ay - by * ax;
+        let area = u + v + w;
+        let below = u.min(v.min(w)).simd_lt(0.0);
+        let above = u.max(v.max(w)).simd_gt(0.0);
+        let inside = !((below & above) | area.simd_eq(0.0));
+        let mut met = inside.to_bitmask() as u32 & block.triangles;
+        if met == 0 {
+            return (area, 0);
+        }
+        let scaled = u * a[2] + v * b[2] + w * c[2];
+        let x = self.own_sides(axes[0], a[0], b[0], c[0]);
+        let y = self.own_sides(axes[1], a[1], b[1], c[1]);
+        let z = self.own_sides(axes[2], a[2], b[2], c[2]);
+        let enter = x.0.max(y.0.max(z.0));
+        let leave = x.1.min(y.1.min(z.1));
+        let t = enter.max(leave.min(scaled * sz / area));
+        met &= (!enter.simd_gt(leave) & t.simd_gt(0.0) & t.simd_le(most)).to_bitmask() as u32;
+        (t, met)
+    }
+}
