@@ -51,7 +51,7 @@ pub(super) fn leaves(scene: &Scene, builder: &dyn Builder) -> Leaves {
     for node in &mut tree.nodes {
         node.leaves += leaves.len() as u32;
     }
-    leaves.extend(tree.order.iter().map(|&i| below[i as usize]));
+    leaves.par_extend(tree.order.par_iter().map(|&i| below[i as usize]));
     Leaves { all: leaves, tree, materials }
 }
 

@@ -13,23 +13,29 @@ pub(super) type Places<'a> = [Option<&'a Part>; 8];
 ///
 /// Place 7 lies towards +x +y +z. A ray asks the places in the order of `place ^ octant`.
 pub(super) fn places<'a>(parts: &'a [Part], whole: Bounds) -> Places<'a> {
-    let mut costs: Vec<(f32, usize, usize)> = Vec::with_capacity(64);
-    for (i, part) in parts.iter().enumerate() {
-        let from_middle = part.bounds.middle() - whole.middle();
-        for place in 0..8 {
+    // How far a child lies from the middle, against the direction of each place.
+    let mut costs = [[f32::INFINITY; 8]; 8];
+    for (part, costs) in parts.iter().zip(&mut costs) {
+        let [x, y, z, _] = (part.bounds.middle() - whole.middle()).to_array();
+        for (place, cost) in costs.iter_mut().enumerate() {
             let side = |bit: usize, x: f32| if place & bit == 0 { x } else { -x };
-            let [x, y, z, _] = from_middle.to_array();
-            costs.push((side(4, x) + side(2, y) + side(1, z), i, place));
+            *cost = side(4, x) + side(2, y) + side(1, z);
         }
     }
-    costs.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     let mut taken: Places<'a> = [None; 8];
-    let mut placed = [false; 8];
-    for (_, i, place) in costs {
-        if taken[place].is_none() && !placed[i] {
-            taken[place] = Some(&parts[i]);
-            placed[i] = true;
+    let mut left: [usize; 8] = std::array::from_fn(|i| i);
+    for count in (1..=parts.len()).rev() {
+        let mut least = (f32::INFINITY, 0, 8);
+        for (at, &i) in left[..count].iter().enumerate() {
+            for (place, &cost) in costs[i].iter().enumerate() {
+                if taken[place].is_none() && (cost < least.0 || least.2 == 8) {
+                    least = (cost, at, place);
+                }
+            }
         }
+        let (_, at, place) = least;
+        taken[place] = Some(&parts[left[at]]);
+        left.swap(at, count - 1);
     }
     taken
 }

@@ -79,6 +79,9 @@ pub(super) fn children(items: &mut [Item], whole: Part, level: u32) -> Vec<Part>
 
 fn halves(items: &mut [Item], part: &Part, steep: bool) -> (Part, Part) {
     let Range { start, end } = part.items;
+    if end - start <= FEW && !steep {
+        return few(items, part);
+    }
     let plane = if steep { None } else { best(&items[start..end], part.middles) };
     let Some(plane) = plane else {
         let middle = start.midpoint(end);
@@ -106,6 +109,41 @@ fn halves(items: &mut [Item], part: &Part, steep: bool) -> (Part, Part) {
     (left, right)
 }
 
+/// Parts of so few boxes are sorted instead.
+const FEW: usize = 8;
+
+/// The cheapest place to part a few boxes at, along the axis on which their middles lie widest apart.
+fn few(items: &mut [Item], part: &Part) -> (Part, Part) {
+    let Range { start, end } = part.items;
+    let size = part.middles.high - part.middles.low;
+    let axis = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
+    let own = &mut items[start..end];
+    // By insertion: what is equal stays in its order.
+    for i in 1..own.len() {
+        let mut j = i;
+        while j > 0 && own[j].0.middle()[axis] < own[j - 1].0.middle()[axis] {
+            own.swap(j, j - 1);
+            j -= 1;
+        }
+    }
+    let mut right = [Bounds::NOTHING; FEW + 1];
+    for (i, item) in own.iter().enumerate().rev() {
+        right[i] = right[i + 1].join(item.0);
+    }
+    let mut left = Bounds::NOTHING;
+    let mut least = f32::INFINITY;
+    let mut middle = start.midpoint(end);
+    for (i, item) in own.iter().enumerate().take(own.len() - 1) {
+        left = left.join(item.0);
+        let cost = left.half_area() * (i + 1) as f32 + right[i + 1].half_area() * (own.len() - i - 1) as f32;
+        if cost < least {
+            least = cost;
+            middle = start + i + 1;
+        }
+    }
+    (Part::new(items, start..middle), Part::new(items, middle..end))
+}
+
 /// Middles in bins below `bin` along `axis` lie left.
 struct Plane {
     axis: usize,
@@ -120,7 +158,7 @@ impl Plane {
     }
 }
 
-/// Where bins begin and how many a unit holds.
+/// Where the middle of the first bin is, and how many bins a unit holds.
 #[derive(Clone, Copy)]
 struct Grid {
     low: Vec4,
@@ -132,9 +170,9 @@ const BINS: usize = 16;
 impl Grid {
     #[inline]
     fn bins(self, item: &Item) -> [usize; 3] {
-        let at = (item.0.middle() - self.low) * self.scale;
-        // What is not a number falls into the first bin.
-        [at.x, at.y, at.z].map(|at| (at as usize).min(BINS - 1))
+        // The last bits of a number this large count whole ones; what is not a number falls into some bin.
+        let at = (item.0.middle() - self.low) * self.scale + 8_388_608.0;
+        [at.x, at.y, at.z].map(|at| at.to_bits() as usize % BINS)
     }
 }
 
@@ -151,7 +189,7 @@ fn best(items: &[Item], middles: Bounds) -> Option<Plane> {
     // A few boxes need few bins.
     let count = items.len().clamp(4, BINS);
     let size = middles.high - middles.low;
-    let scale = Vec4::splat(count as f32 * 0.999) / size;
+    let scale = Vec4::splat((count - 1) as f32) / size;
     // An axis without extent is none: all middles fall into its first bin.
     let scale = Vec4::select(size.cmpgt(Vec4::ZERO) & scale.cmplt(Vec4::INFINITY), scale, Vec4::ZERO);
     let grid = Grid { low: middles.low, scale };
