@@ -11,7 +11,7 @@ pub mod wgsl;
 pub use buffer::Buffer;
 pub use error::Error;
 pub use kernel::{Binding, Kernel, parse};
-pub use raster::{GpuImage, GpuRaster};
+pub use raster::{GpuImage, GpuRaster, Room, Variant};
 pub use trace::{GpuPaths, GpuTrace};
 
 use std::collections::HashMap;
@@ -26,6 +26,10 @@ const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Kernels that are remembered.
 const MOST_KERNELS: usize = 64;
+
+/// What some variants of kernels use, and every kernel has one that does without.
+const EXTRAS: wgpu::Features =
+    wgpu::Features::SUBGROUP.union(wgpu::Features::SHADER_INT64).union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX);
 
 /// Which adapter to use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -139,8 +143,12 @@ impl Gpu {
         let names = all.iter().map(|a| a.name.clone()).collect();
         let adapter = all.into_iter().find(|a| a.is(wanted));
         let adapter = adapter.ok_or(Error::NoAdapter { wanted: wanted.clone(), names })?;
-        // WebGPU's default limits, so that what runs here runs on every adapter.
-        let descriptor = wgpu::DeviceDescriptor { label: Some("twinlight"), ..wgpu::DeviceDescriptor::default() };
+        // WebGPU's default limits, so that what runs here runs on every adapter; faster ways only where there are any.
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("twinlight"),
+            required_features: adapter.raw.features() & EXTRAS,
+            ..wgpu::DeviceDescriptor::default()
+        };
         let asked = catch_unwind(AssertUnwindSafe(|| pollster::block_on(adapter.raw.request_device(&descriptor))));
         let (device, queue) = match asked {
             Ok(Ok(pair)) => pair,
@@ -201,6 +209,12 @@ impl Gpu {
     #[must_use]
     pub fn exact(&self) -> bool {
         self.adapter.software && self.adapter.name.starts_with("llvmpipe")
+    }
+
+    /// The fewest lanes of a subgroup, or 0 if there are none.
+    #[must_use]
+    pub fn subgroup(&self) -> u32 {
+        self.adapter.raw.get_info().subgroup_min_size
     }
 
     /// How long one slice of work should take at most. Watchdogs kill at 2 s (Windows), 640 ms (i915) or a few

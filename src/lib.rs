@@ -6,8 +6,8 @@
 //! ```text
 //!           scene.toml -> Scene -> Tables, or Drawing
 //! traced    [cast -> follow -> gather] x rounds                                                 -> Film -> picture
-//! drawn     each light:  [project -> split -> count -> scan -> fill -> cover] -> shadow maps
-//!           each sample: [project -> split -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
+//! drawn     each light:  [split -> cut -> count -> scan -> fill -> cover] -> shadow maps
+//!           each sample: [split -> cut -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
 //! ```
 //!
 //! A frame is written **once**, as a trait with one method a stage and a function over it ([`trace::Trace`],
@@ -43,7 +43,8 @@
 //!
 //! The rasterizer decides in integers: corners are snapped to 1/256 pixel, coverage and depth are integer planes, and
 //! the least (depth, id) wins. A minimum does not mind who comes first, so no order of work and no division of it can
-//! show in the picture ([`raster`]).
+//! show in the picture ([`raster`]), and neither can the variant of a kernel ([`gpu::Variant`]): with or without 64-bit
+//! atomics, with or without subgroups.
 //!
 //! # What the GPU is not trusted with
 //!

@@ -1,19 +1,23 @@
 //! What a drawn frame is: the stages, and their order.
 //!
 //! ```text
-//! each light:  project -> split -> count -> scan -> fill -> cover                  -> shadows
-//! each sample: project -> split -> count -> scan -> fill -> cover -> mark -> shade -> Film
+//! each light:  split -> cut -> count -> scan -> fill -> cover                  -> shadows
+//! each sample: split -> cut -> count -> scan -> fill -> cover -> mark -> shade -> Film
 //! ```
 //!
 //! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in
-//! integers and by a minimum, so neither the order of the work nor its division can show in the picture: small faces
-//! are drawn by one invocation each, all others become pieces, which are sorted into tiles that a workgroup owns.
+//! integers and by a maximum, so neither the order of the work nor its division can show in the picture: small faces
+//! are drawn by one invocation each, and never enter a list; all others become pieces, which are sorted into tiles that
+//! a workgroup owns.
 
 use crate::film::{Film, Watch};
 use crate::tables::{Drawing, Lens};
 
 /// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
 pub type Drawn = (Vec<[f32; 4]>, Vec<u32>);
+
+/// Depths and ids of an image, row by row from the top left.
+pub type Seen = (Vec<u32>, Vec<u32>);
 
 /// One method a stage: `wgsl/raster/NAME.wgsl` and `cpu/raster/NAME.rs` do the same.
 pub trait Raster {
@@ -22,55 +26,68 @@ pub trait Raster {
     /// What can go wrong.
     type Error;
 
-    /// nothing -> an image of so many depths and ids on which nothing is drawn
+    /// Room for so many pixels, with ids if they are asked for.
     ///
     /// # Errors
-    /// If there is no room for it.
-    fn clear(&mut self, depths: usize, ids: usize) -> Result<Self::Image, Self::Error>;
+    /// If there is none.
+    fn image(&mut self, pixels: usize, ids: bool) -> Result<Self::Image, Self::Error>;
 
-    /// vertices -> corners in fixed point
+    /// anything -> an image on which nothing is drawn
+    ///
+    /// # Errors
+    /// If it cannot be done.
+    fn clear(&mut self, image: &mut Self::Image) -> Result<(), Self::Error>;
+
+    /// faces -> small ones drawn onto the image, and the numbers of all others
     ///
     /// # Errors
     /// If the stage cannot be done.
-    fn project(&mut self, lens: &Lens) -> Result<(), Self::Error>;
-
-    /// corners -> small faces drawn, and pieces of all others
-    ///
-    /// # Errors
-    /// If the stage cannot be done, or the pieces have no room.
     fn split(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
-    /// pieces -> how many of them each tile has
+    /// faces that are large or cross a plane -> pieces of them, bin by bin
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn cut(&mut self, lens: &Lens) -> Result<(), Self::Error>;
+
+    /// pieces -> how many of them each list has
     ///
     /// # Errors
     /// If the stage cannot be done.
     fn count(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
-    /// counts -> where each tile's list begins
+    /// how many pieces each list has -> where it begins, and the tiles that have any
     ///
     /// # Errors
-    /// If the stage cannot be done, or the lists have no room.
+    /// If the stage cannot be done.
     fn scan(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
-    /// pieces -> the tiles' lists
+    /// pieces -> the lists of each tile, in any order
     ///
     /// # Errors
     /// If the stage cannot be done.
     fn fill(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
-    /// the tiles' lists -> depths and ids
+    /// the lists of each tile -> the nearest of its pixels, and the least id of those
     ///
     /// # Errors
     /// If the stage cannot be done.
     fn cover(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
-    /// small faces and depths -> ids
+    /// Waits for the stages; false if something found no room. There is room now, and they are to be done again: what is
+    /// drawn twice stays what it is.
+    ///
+    /// # Errors
+    /// If the work was not done, or not to its end, or there is no room.
+    fn settle(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<bool, Self::Error>;
+
+    /// small faces and the final depths -> the least id where the depth is theirs
     ///
     /// # Errors
     /// If the stage cannot be done.
     fn mark(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
-    /// ids -> colors, added to the film's sums
+    /// ids -> each visible pixel's color, once
     ///
     /// # Errors
     /// If the stage cannot be done.
@@ -88,12 +105,17 @@ pub trait Raster {
 /// # Errors
 /// The backend's.
 pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
-    stages.project(lens)?;
-    stages.split(lens, image)?;
-    stages.count(lens)?;
-    stages.scan(lens)?;
-    stages.fill(lens)?;
-    stages.cover(lens, image)
+    loop {
+        stages.split(lens, image)?;
+        stages.cut(lens)?;
+        stages.count(lens)?;
+        stages.scan(lens)?;
+        stages.fill(lens)?;
+        stages.cover(lens, image)?;
+        if stages.settle(lens, image)? {
+            return Ok(());
+        }
+    }
 }
 
 /// One frame: every light's shadows, then every sample. `watch` is told the fraction done, and may stop it.
@@ -108,16 +130,17 @@ pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch
         watch.done(*done / passes)
     };
     let mut film = Film::new(drawing.eyes[0].width, drawing.eyes[0].height);
-    let mut shadows = stages.clear(drawing.shadow_words(), 0)?;
+    let mut shadows = stages.image(drawing.shadow_words(), false)?;
+    stages.clear(&mut shadows)?;
     for lens in &drawing.lenses {
         draw(stages, lens, &mut shadows)?;
         if step(&mut done).is_break() {
             return Ok(film);
         }
     }
+    let mut image = stages.image(drawing.eyes[0].pixels() as usize, true)?;
     for eye in &drawing.eyes {
-        let pixels = eye.pixels() as usize;
-        let mut image = stages.clear(pixels, pixels)?;
+        stages.clear(&mut image)?;
         draw(stages, eye, &mut image)?;
         stages.mark(eye, &mut image)?;
         stages.shade(eye, &image, &shadows)?;

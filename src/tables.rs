@@ -20,17 +20,17 @@ mod status;
 mod view;
 
 pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
-pub use lens::{DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, STEEPEST, TILE};
+pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
-pub use mesh::{Face, ONE_SIDED, Vertex};
+pub use mesh::{Face, ONE_SIDED, Part, Vertex};
 pub use node::Node;
 pub use paint::{
     BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,
     SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
 };
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
-pub use piece::{Corner, MOST_CORNERS, PLANES, Piece, Tally};
+pub use piece::{MOST_CORNERS, PLANES, Piece, Tally};
 pub use plane::Plane;
 pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};

@@ -1,20 +1,22 @@
 //! Twins of `wgsl/raster`: the rasterizer's stages, over all cores.
 
-pub mod clear;
+pub mod call;
 pub mod clip;
 pub mod count;
 pub mod cover;
+pub mod cut;
 pub mod facet;
 pub mod fill;
 pub mod hold;
 pub mod mark;
+pub mod pixels;
 pub mod plan;
-pub mod project;
 pub mod reach;
 pub mod scan;
 pub mod shade;
 pub mod shadow;
 pub mod snap;
+pub mod speck;
 pub mod split;
 pub mod texture;
 pub mod weights;
@@ -24,30 +26,41 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use crate::raster::{Drawn, Raster};
-use crate::tables::{Corner, Drawing, Lens, Piece, Tally};
+use crate::raster::{Drawn, Raster, Seen};
+use crate::tables::{Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 
-/// Depths and ids, row by row from the top left; each may be written by any thread.
+/// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
 pub struct Image {
-    /// Of all lenses that share the image, one after the other; [`NO_DEPTH`](crate::tables::NO_DEPTH) is nothing.
-    pub depths: Vec<AtomicU32>,
-    /// Faces by number, or [`NONE`](crate::tables::NONE); none at all for shadows.
+    /// [`NO_DEPTH`] less the depth, of all lenses that share the image one after the other; zero is nothing.
+    pub nears: Vec<AtomicU32>,
+    /// [`NONE`] less the number of the face; none at all for shadows.
     pub ids: Vec<AtomicU32>,
+}
+
+impl Image {
+    /// Depths and ids.
+    #[must_use]
+    pub fn seen(&self) -> Seen {
+        let all = |words: &[AtomicU32], less: u32| words.iter().map(|word| less - word.load(Relaxed)).collect();
+        (all(&self.nears, NO_DEPTH), all(&self.ids, NONE))
+    }
 }
 
 /// The rasterizer on the CPU, with what its stages hand on to each other.
 #[derive(Debug)]
 pub struct CpuRaster<'a> {
     drawing: &'a Drawing,
-    /// Of [`Raster::project`].
-    pub corners: Vec<Corner>,
-    /// Of [`Raster::split`], in the order of their faces.
+    /// Of [`Raster::split`], in order.
+    pub late: Vec<u32>,
+    /// Of [`Raster::cut`], in the order of their faces.
     pub pieces: Vec<Piece>,
     /// Of [`Raster::count`].
     pub counts: Vec<u32>,
-    /// Of [`Raster::scan`].
+    /// Of [`Raster::scan`], with the end of the last list.
     pub starts: Vec<u32>,
+    /// Of [`Raster::scan`]: tiles with an entry.
+    pub busy: Vec<u32>,
     /// Of [`Raster::fill`].
     pub entries: Vec<u32>,
     /// What was counted.
@@ -64,10 +77,11 @@ impl<'a> CpuRaster<'a> {
     pub fn new(drawing: &'a Drawing) -> Self {
         Self {
             drawing,
-            corners: Vec::new(),
+            late: Vec::new(),
             pieces: Vec::new(),
             counts: Vec::new(),
             starts: Vec::new(),
+            busy: Vec::new(),
             entries: Vec::new(),
             tally: Tally::default(),
             sums: Vec::new(),
@@ -79,26 +93,33 @@ impl Raster for CpuRaster<'_> {
     type Image = Image;
     type Error = Infallible;
 
-    fn clear(&mut self, depths: usize, ids: usize) -> Result<Image, Infallible> {
-        Ok(Image { depths: clear::clear(depths), ids: clear::clear(ids) })
+    fn image(&mut self, pixels: usize, ids: bool) -> Result<Image, Infallible> {
+        let nothing = |words: usize| (0..words).map(|_| AtomicU32::new(0)).collect();
+        Ok(Image { nears: nothing(pixels), ids: nothing(if ids { pixels } else { 0 }) })
     }
 
-    fn project(&mut self, lens: &Lens) -> Result<(), Infallible> {
-        self.corners = self.drawing.vertices.par_iter().map(|vertex| project::project(lens, vertex)).collect();
+    fn clear(&mut self, image: &mut Image) -> Result<(), Infallible> {
+        image.nears.par_iter_mut().chain(&mut image.ids).for_each(|word| *word.get_mut() = 0);
         Ok(())
     }
 
     fn split(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        let (vertices, corners) = (&self.drawing.vertices, &self.corners);
+        let vertices = &self.drawing.vertices;
         let chunks = self.drawing.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
-            let mut pieces = Vec::new();
-            for (face, id) in faces.iter().zip((chunk * CHUNK) as u32..) {
-                split::split(lens, id, face, vertices, corners, &image.depths, |piece| pieces.push(piece));
-            }
-            pieces
+            let ids = (chunk * CHUNK) as u32..;
+            let late = faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, vertices, &image.nears));
+            late.map(|(_, id)| id).collect::<Vec<_>>()
         });
-        self.pieces = chunks.flatten_iter().collect();
-        self.tally = Tally { pieces: self.pieces.len() as u32, ..Tally::default() };
+        self.late = chunks.flatten_iter().collect();
+        self.tally = Tally::default();
+        Ok(())
+    }
+
+    fn cut(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        let Drawing { vertices, faces, .. } = self.drawing;
+        let pieces = self.late.par_iter().map(|id| cut::cut(lens, *id, &faces[*id as usize], vertices));
+        self.pieces = pieces.flatten_iter().collect();
+        self.tally.pieces = self.pieces.len() as u32;
         Ok(())
     }
 
@@ -108,7 +129,7 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn scan(&mut self, _lens: &Lens) -> Result<(), Infallible> {
-        self.starts = scan::scan(&self.counts, &mut self.tally);
+        (self.starts, self.busy) = scan::scan(&self.counts, &mut self.tally);
         Ok(())
     }
 
@@ -118,17 +139,22 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn cover(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        (0..lens.tiles()).into_par_iter().for_each(|tile| {
-            let first = self.starts[tile as usize] as usize;
-            let list = &self.entries[first..first + self.counts[tile as usize] as usize];
-            cover::cover(lens, tile, &self.pieces, list, &image.depths, &image.ids);
+        self.busy.par_iter().for_each(|&tile| {
+            let first = 2 * tile as usize;
+            let list = &self.entries[self.starts[first] as usize..self.starts[first + 2] as usize];
+            cover::cover(lens, tile, &self.pieces, list, &image.nears, &image.ids);
         });
         Ok(())
     }
 
+    fn settle(&mut self, _lens: &Lens, _image: &mut Image) -> Result<bool, Infallible> {
+        Ok(true)
+    }
+
     fn mark(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        let faces = self.drawing.faces.par_iter().zip(0_u32..self.drawing.faces.len() as u32);
-        faces.for_each(|(face, id)| mark::mark(lens, id, face, &self.corners, &image.depths, &image.ids));
+        let Drawing { vertices, faces, .. } = self.drawing;
+        let faces = faces.par_iter().zip(0_u32..faces.len() as u32);
+        faces.for_each(|(face, id)| mark::mark(lens, id, face, vertices, &image.nears, &image.ids));
         Ok(())
     }
 
@@ -136,12 +162,12 @@ impl Raster for CpuRaster<'_> {
         self.sums.resize(lens.pixels() as usize, [0.0; 4]);
         let pixels = self.sums.par_iter_mut().zip(&image.ids).zip(0_u32..lens.pixels());
         pixels.for_each(|((sum, id), pixel)| {
-            shade::shade(self.drawing, lens, &shadows.depths, pixel, id.load(Relaxed), sum);
+            shade::shade(self.drawing, lens, &shadows.nears, pixel, NONE - id.load(Relaxed), sum);
         });
         Ok(())
     }
 
     fn end(&mut self, image: &Image) -> Result<Drawn, Infallible> {
-        Ok((std::mem::take(&mut self.sums), image.ids.iter().map(|id| id.load(Relaxed)).collect()))
+        Ok((std::mem::take(&mut self.sums), image.seen().1))
     }
 }

@@ -28,6 +28,11 @@ impl<T: Pod> Buffer<T> {
         self.len == 0
     }
 
+    /// Records that all of it becomes zero.
+    pub(super) fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.clear_buffer(&self.raw, 0, None);
+    }
+
     fn bytes(&self) -> u64 {
         (self.len * size_of::<T>()) as u64
     }
@@ -40,6 +45,14 @@ impl Gpu {
     /// If it is larger than a binding may be, or the device has no room.
     pub fn zeroed<T: Pod>(&self, label: &str, len: usize) -> Result<Buffer<T>, Error> {
         self.create(label, len, Usage::STORAGE)
+    }
+
+    /// Zeros that say how large dispatches are.
+    ///
+    /// # Errors
+    /// If the device has no room.
+    pub fn calls(&self, label: &str, len: usize) -> Result<Buffer<[u32; 4]>, Error> {
+        self.create(label, len, Usage::STORAGE | Usage::INDIRECT)
     }
 
     /// An array for kernels.

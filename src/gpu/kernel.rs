@@ -10,6 +10,9 @@ use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 use super::wgsl::{Joined, Sources, join};
 use super::{Buffer, Error, Gpu};
 
+/// What variants of kernels may ask for; the device says no where it has not.
+const CAPABILITIES: Capabilities =
+    Capabilities::SUBGROUP.union(Capabilities::SHADER_INT64).union(Capabilities::SHADER_INT64_ATOMIC_MIN_MAX);
 /// More workgroups than this in one dimension are not valid, so larger numbers are folded into two.
 const MOST_GROUPS: u32 = 65_535;
 
@@ -48,6 +51,12 @@ impl<'a> Binding<'a> {
     pub fn new<T: Pod>(name: &'a str, buffer: &'a Buffer<T>) -> Self {
         Self { name, raw: &buffer.raw, element: size_of::<T>() as u32 }
     }
+
+    /// The same buffer as elements of so many bytes.
+    #[must_use]
+    pub fn of_bytes(self, element: u32) -> Self {
+        Self { element, ..self }
+    }
 }
 
 /// Parses and validates a kernel's source; errors name the file and line that they were written in.
@@ -63,7 +72,7 @@ pub fn parse(joined: &Joined, name: &str) -> Result<(Module, naga::valid::Module
         let line = e.location(&joined.text).map(|at| at.line_number);
         Error::Wgsl(format!("{}: {}", place(line), e.message()))
     })?;
-    let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).map_err(|e| {
+    let info = Validator::new(ValidationFlags::all(), CAPABILITIES).validate(&module).map_err(|e| {
         let line = e.location(&joined.text).map(|at| at.line_number);
         let mut why = e.as_inner().to_string();
         let mut source = std::error::Error::source(e.as_inner());
@@ -133,6 +142,36 @@ impl Kernel {
         bindings: &[Binding<'_>],
         invocations: u32,
     ) -> Result<u32, Error> {
+        let groups = invocations.div_ceil(self.group);
+        let columns = groups.clamp(1, MOST_GROUPS);
+        let rows = groups.div_ceil(columns).max(1);
+        self.pass(gpu, encoder, bindings, |pass| pass.dispatch_workgroups(columns, rows, 1))?;
+        Ok(columns * rows)
+    }
+
+    /// Records as many workgroups as a kernel before it has written into row `row` of `calls`.
+    ///
+    /// # Errors
+    /// [`Error::Binding`] if the names or element sizes are not those of the WGSL.
+    pub fn dispatch_called(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        bindings: &[Binding<'_>],
+        calls: &Buffer<[u32; 4]>,
+        row: u32,
+    ) -> Result<(), Error> {
+        let offset = u64::from(row) * size_of::<[u32; 4]>() as u64;
+        self.pass(gpu, encoder, bindings, |pass| pass.dispatch_workgroups_indirect(&calls.raw, offset))
+    }
+
+    fn pass(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        bindings: &[Binding<'_>],
+        dispatch: impl FnOnce(&mut wgpu::ComputePass<'_>),
+    ) -> Result<(), Error> {
         let wrong =
             |name: &str, why: String| Error::Binding { kernel: self.name.clone(), name: name.to_owned(), why };
         if let Some(stray) = bindings.iter().find(|b| !self.slots.iter().any(|s| s.name == b.name)) {
@@ -153,15 +192,12 @@ impl Kernel {
             layout: &self.layout,
             entries: &entries,
         });
-        let groups = invocations.div_ceil(self.group);
-        let columns = groups.clamp(1, MOST_GROUPS);
-        let rows = groups.div_ceil(columns).max(1);
         let mut pass = encoder
             .begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(&self.name), timestamp_writes: None });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
-        pass.dispatch_workgroups(columns, rows, 1);
-        Ok(columns * rows)
+        dispatch(&mut pass);
+        Ok(())
     }
 }
 

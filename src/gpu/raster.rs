@@ -1,23 +1,27 @@
 //! The rasterizer's stages as kernels.
 
+mod part;
+mod stages;
+mod variant;
+
+pub use variant::Variant;
+
 use std::sync::Arc;
 
 use bytemuck::Zeroable as _;
 
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
-use crate::raster::{Drawn, Raster};
-use crate::tables::{
-    Canvas, Corner, Drawing, Face, Lamp, Lens, MOST_ENTRIES, MOST_LENSES, Paint, Piece, Tally, Vertex,
-};
+use crate::raster::Seen;
+use crate::tables::{Canvas, Drawing, Lamp, Lens, MOST_LENSES, NO_DEPTH, NONE, Paint, Piece, Tally};
+use part::{Bound, parts};
 
-/// Depths and ids on the device.
+/// What is nearest, on the device.
 #[derive(Debug)]
 pub struct GpuImage {
-    /// Of all lenses that share the image, one after the other.
-    pub depths: Buffer<u32>,
-    /// Faces by number; none at all for shadows.
-    pub ids: Buffer<u32>,
+    words: Buffer<u32>,
+    /// Of each pixel the id, then the depth; else depths alone, of all lenses that share the image one after the other.
+    eye: bool,
 }
 
 /// The rasterizer on a GPU, with what its stages hand on to each other.
@@ -25,46 +29,73 @@ pub struct GpuImage {
 pub struct GpuRaster<'a> {
     gpu: &'a Gpu,
     kernels: Arc<Kernels>,
+    parts: Vec<Bound>,
     lens: Buffer<Lens>,
     lenses: Buffer<Lens>,
     canvas: Buffer<Canvas>,
-    vertices: Buffer<Vertex>,
-    faces: Buffer<Face>,
     paints: Buffer<Paint>,
     lamps: Buffer<Lamp>,
     texels: Buffer<u32>,
     tally: Buffer<Tally>,
-    /// Of [`Raster::project`].
-    pub corners: Buffer<Corner>,
+    calls: Buffer<[u32; 4]>,
     /// Of [`Raster::split`], in any order; the tally says how many.
+    pub late: Buffer<u32>,
+    /// Of [`Raster::cut`], in any order; the tally says how many.
     pub pieces: Buffer<Piece>,
     /// Of [`Raster::count`] until [`Raster::scan`], of [`Raster::fill`] after it.
     pub counts: Buffer<u32>,
     /// Of [`Raster::scan`].
     pub starts: Buffer<u32>,
+    /// Of [`Raster::scan`], in any order; the tally says how many.
+    pub busy: Buffer<u32>,
     /// Of [`Raster::fill`].
     pub entries: Buffer<u32>,
     sums: Buffer<[f32; 4]>,
-    /// What was counted.
-    pub told: Tally,
+    /// What is recorded and not submitted yet.
+    encoder: Option<wgpu::CommandEncoder>,
     samples: u32,
 }
 
+/// Where there are two of one stage, the first draws onto a light's image, the second onto an eye's.
 #[derive(Debug)]
 struct Kernels {
-    clear: Kernel,
-    project: Kernel,
-    split: Kernel,
+    variant: Variant,
+    split: [Kernel; 2],
+    /// Of whole faces, and of those that cross a plane.
+    cut: [Kernel; 2],
+    call: Kernel,
     count: Kernel,
     scan: Kernel,
     fill: Kernel,
-    cover: Kernel,
+    cover: [Kernel; 2],
     mark: Kernel,
     shade: Kernel,
 }
 
-/// Room for pieces at first; it grows to what is counted.
-const FIRST_PIECES: usize = 1024;
+/// Rows of the calls.
+const CUT: u32 = 0;
+const CUT_TORN: u32 = 1;
+const SORT: u32 = 2;
+const COVER: u32 = 3;
+
+/// How much the stages may count before there has to be more room, and how much can be bound at once.
+#[derive(Debug, Clone, Copy)]
+pub struct Room {
+    /// Faces that are not drawn at once.
+    pub late: usize,
+    /// Pieces of them.
+    pub pieces: usize,
+    /// Entries of the tiles' lists.
+    pub entries: usize,
+    /// Bytes of one binding.
+    pub binding: u64,
+}
+
+impl Default for Room {
+    fn default() -> Self {
+        Self { late: 1 << 18, pieces: 1 << 16, entries: 1 << 20, binding: u64::MAX }
+    }
+}
 
 impl<'a> GpuRaster<'a> {
     /// A rasterizer of one drawing with the kernels of `sources`.
@@ -72,254 +103,149 @@ impl<'a> GpuRaster<'a> {
     /// # Errors
     /// If a kernel's source is wrong, or the drawing does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, drawing: &Drawing) -> Result<Self, Error> {
-        let kernel = |name: &str| Kernel::new(gpu, sources, &format!("raster/{name}"));
-        let kernels = Kernels {
-            clear: kernel("clear")?,
-            project: kernel("project")?,
-            split: kernel("split")?,
-            count: kernel("count")?,
-            scan: kernel("scan")?,
-            fill: kernel("fill")?,
-            cover: kernel("cover")?,
-            mark: kernel("mark")?,
-            shade: kernel("shade")?,
-        };
-        Self::with(gpu, Arc::new(kernels), drawing)
+        Self::of(gpu, sources, drawing, Variant::of(gpu))
     }
 
-    /// A rasterizer of another drawing with the same kernels.
+    /// The same with kernels of a certain variant.
+    ///
+    /// # Errors
+    /// If a kernel's source is wrong, or the drawing does not fit the device, or the device has not what the variant needs.
+    pub fn of(gpu: &'a Gpu, sources: &Sources, drawing: &Drawing, variant: Variant) -> Result<Self, Error> {
+        let kernel = |name, eye| variant.kernel(gpu, sources, name, eye);
+        let kernels = Kernels {
+            variant,
+            split: [kernel("split", false)?, kernel("split", true)?],
+            cut: [kernel("cut", false)?, variant.torn(gpu, sources)?],
+            call: kernel("call", false)?,
+            count: kernel("count", false)?,
+            scan: kernel("scan", false)?,
+            fill: kernel("fill", false)?,
+            cover: [kernel("cover", false)?, kernel("cover", true)?],
+            mark: kernel("mark", true)?,
+            shade: kernel("shade", true)?,
+        };
+        Self::with(gpu, Arc::new(kernels), drawing, Room::default())
+    }
+
+    /// A rasterizer of another drawing with the same kernels, and so much room at first.
     ///
     /// # Errors
     /// If the drawing does not fit the device.
-    pub fn again(&self, drawing: &Drawing) -> Result<Self, Error> {
-        Self::with(self.gpu, Arc::clone(&self.kernels), drawing)
+    pub fn again(&self, drawing: &Drawing, room: Room) -> Result<Self, Error> {
+        Self::with(self.gpu, Arc::clone(&self.kernels), drawing, room)
     }
 
-    fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing) -> Result<Self, Error> {
+    fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
         let mut lenses = drawing.lenses.clone();
         lenses.resize(MOST_LENSES as usize, Lens::zeroed());
         let pixels = drawing.eyes.first().map_or(0, Lens::pixels) as usize;
+        let tiles = drawing.eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
         Ok(Self {
             gpu,
             kernels,
+            parts: parts(gpu, drawing, room.binding.min(gpu.device().limits().max_storage_buffer_binding_size))?,
             lens: gpu.uniform("lens", &Lens::zeroed())?,
             lenses: gpu.uniforms("lenses", &lenses)?,
             canvas: gpu.uniform("canvas", &drawing.canvas)?,
-            vertices: gpu.upload("vertices", &drawing.vertices)?,
-            faces: gpu.upload("faces", &drawing.faces)?,
             paints: gpu.upload("paints", &drawing.paints)?,
             lamps: gpu.upload("lamps", &drawing.lamps)?,
             texels: gpu.upload("texels", &drawing.texels)?,
             tally: gpu.zeroed("tally", 1)?,
-            corners: gpu.zeroed("corners", drawing.vertices.len())?,
-            pieces: gpu.zeroed("pieces", FIRST_PIECES)?,
-            counts: gpu.zeroed("counts", 0)?,
-            starts: gpu.zeroed("starts", 0)?,
-            entries: gpu.zeroed("entries", 0)?,
+            calls: gpu.calls("calls", 4)?,
+            late: gpu.zeroed("late", room.late.min(drawing.faces.len()).max(1))?,
+            pieces: gpu.zeroed("pieces", room.pieces)?,
+            counts: gpu.zeroed("counts", 2 * tiles)?,
+            starts: gpu.zeroed("starts", 2 * tiles + 1)?,
+            busy: gpu.zeroed("busy", tiles)?,
+            entries: gpu.zeroed("entries", room.entries)?,
             sums: gpu.zeroed("sums", pixels)?,
-            told: Tally::default(),
+            encoder: None,
             samples: drawing.eyes.len() as u32,
         })
     }
 
-    /// Room for so many pieces at first, instead of the usual: how overflow is tested.
+    /// Records work; it is submitted when somebody waits for it.
+    fn record(
+        &mut self,
+        work: impl FnOnce(&Self, &mut wgpu::CommandEncoder) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let mut encoder = self.encoder.take().unwrap_or_else(|| self.gpu.encoder());
+        work(self, &mut encoder)?;
+        self.encoder = Some(encoder);
+        Ok(())
+    }
+
+    fn recorded(&mut self) -> wgpu::CommandEncoder {
+        self.encoder.take().unwrap_or_else(|| self.gpu.encoder())
+    }
+
+    /// Records `call`: what is counted says how large the next dispatches are.
+    fn call(&self, encoder: &mut wgpu::CommandEncoder) -> Result<(), Error> {
+        let bindings = [
+            Binding::new("late", &self.late),
+            Binding::new("pieces", &self.pieces),
+            Binding::new("tally", &self.tally),
+            Binding::new("calls", &self.calls),
+        ];
+        self.kernels.call.dispatch(self.gpu, encoder, &bindings, 1)?;
+        Ok(())
+    }
+
+    /// Of `call`: columns and rows of workgroups.
+    #[must_use]
+    pub fn calls(&self) -> &Buffer<[u32; 4]> {
+        &self.calls
+    }
+
+    /// Submits what is recorded and waits for it; what was counted since the lens was taken up.
     ///
     /// # Errors
-    /// If the device has no room.
-    pub fn with_room(mut self, pieces: usize) -> Result<Self, Error> {
-        self.pieces = self.gpu.zeroed("pieces", pieces)?;
-        Ok(self)
-    }
-
-    /// Runs kernels of one lens, and checks that all of their workgroups ran.
-    fn run(
-        &mut self,
-        lens: &Lens,
-        record: impl FnOnce(&Self, &mut wgpu::CommandEncoder) -> Result<u32, Error>,
-    ) -> Result<Tally, Error> {
-        self.gpu.write(&self.lens, &[*lens]);
-        self.gpu.write(&self.tally, &[Tally::default()]);
-        let mut encoder = self.gpu.encoder();
-        let groups = record(self, &mut encoder)?;
+    /// If the device is lost or does not answer.
+    pub fn told(&mut self) -> Result<Tally, Error> {
+        let encoder = self.recorded();
         let told = self.gpu.finish_and_read(encoder, &self.tally)?;
-        let told = told.first().copied().unwrap_or_default();
-        if told.groups != groups {
-            return Err(Error::Incomplete(format!("{} of {groups} workgroups ran", told.groups)));
+        Ok(told.first().copied().unwrap_or_default())
+    }
+
+    /// Depths and ids of an image, in host memory.
+    ///
+    /// # Errors
+    /// If the device is lost or does not answer.
+    pub fn seen(&mut self, image: &GpuImage) -> Result<Seen, Error> {
+        let encoder = self.recorded();
+        let words = self.gpu.finish_and_read(encoder, &image.words)?;
+        if image.eye {
+            return Ok(words.chunks_exact(2).map(|pair| (NO_DEPTH - pair[1], NONE - pair[0])).unzip());
         }
-        Ok(told)
+        Ok((words.iter().map(|word| NO_DEPTH - word).collect(), Vec::new()))
     }
 
-    /// A lens that knows how many pieces there are.
-    fn counted(&self, lens: &Lens) -> Lens {
-        Lens { pieces: self.told.pieces, ..*lens }
-    }
-}
-
-impl Raster for GpuRaster<'_> {
-    type Image = GpuImage;
-    type Error = Error;
-
-    fn clear(&mut self, depths: usize, ids: usize) -> Result<GpuImage, Error> {
-        let image = GpuImage { depths: self.gpu.zeroed("depths", depths)?, ids: self.gpu.zeroed("ids", ids)? };
-        let mut encoder = self.gpu.encoder();
-        for words in [&image.depths, &image.ids] {
-            let bindings = [Binding::new("words", words)];
-            self.kernels.clear.dispatch(self.gpu, &mut encoder, &bindings, words.len() as u32)?;
-        }
-        self.gpu.finish(encoder)?;
-        Ok(image)
-    }
-
-    fn project(&mut self, lens: &Lens) -> Result<(), Error> {
-        self.run(lens, |this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("vertices", &this.vertices),
-                Binding::new("corners", &this.corners),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.project.dispatch(this.gpu, encoder, &bindings, lens.vertices)
-        })?;
-        Ok(())
-    }
-
-    fn split(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        loop {
-            self.told = self.run(lens, |this, encoder| {
-                let bindings = [
-                    Binding::new("lens", &this.lens),
-                    Binding::new("faces", &this.faces),
-                    Binding::new("vertices", &this.vertices),
-                    Binding::new("corners", &this.corners),
-                    Binding::new("depths", &image.depths),
-                    Binding::new("pieces", &this.pieces),
-                    Binding::new("tally", &this.tally),
-                ];
-                this.kernels.split.dispatch(this.gpu, encoder, &bindings, lens.faces)
-            })?;
-            let needed = self.told.pieces as usize;
-            if needed <= self.pieces.len() {
-                return Ok(());
-            }
-            // What was drawn stays right when it is drawn again: a minimum.
-            self.pieces = self.gpu.zeroed("pieces", needed)?;
-        }
-    }
-
-    fn count(&mut self, lens: &Lens) -> Result<(), Error> {
-        // Zero again, whatever the last lens left there.
-        self.counts = self.gpu.zeroed("counts", lens.tiles() as usize)?;
-        self.run(&self.counted(lens), |this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("pieces", &this.pieces),
-                Binding::new("counts", &this.counts),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.count.dispatch(this.gpu, encoder, &bindings, this.told.pieces * SHARE)
-        })?;
-        Ok(())
-    }
-
-    fn scan(&mut self, lens: &Lens) -> Result<(), Error> {
-        if self.starts.len() != lens.tiles() as usize {
-            self.starts = self.gpu.zeroed("starts", lens.tiles() as usize)?;
-        }
-        let told = self.run(&self.counted(lens), |this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("counts", &this.counts),
-                Binding::new("starts", &this.starts),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.scan.dispatch(this.gpu, encoder, &bindings, 1)
-        })?;
-        self.told = Tally { pieces: self.told.pieces, ..told };
-        if self.entries.len() < told.entries as usize {
-            self.entries = self.gpu.zeroed("entries", told.entries as usize)?;
-        }
-        Ok(())
-    }
-
-    fn fill(&mut self, lens: &Lens) -> Result<(), Error> {
-        self.run(&self.counted(lens), |this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("pieces", &this.pieces),
-                Binding::new("starts", &this.starts),
-                Binding::new("counts", &this.counts),
-                Binding::new("entries", &this.entries),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.fill.dispatch(this.gpu, encoder, &bindings, this.told.pieces * SHARE)
-        })?;
-        Ok(())
-    }
-
-    fn cover(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        for round in 0..self.told.longest.div_ceil(MOST_ENTRIES) {
-            let lens = Lens { round, ..self.counted(lens) };
-            self.run(&lens, |this, encoder| {
-                let bindings = [
-                    Binding::new("lens", &this.lens),
-                    Binding::new("pieces", &this.pieces),
-                    Binding::new("starts", &this.starts),
-                    Binding::new("counts", &this.counts),
-                    Binding::new("entries", &this.entries),
-                    Binding::new("depths", &image.depths),
-                    Binding::new("ids", &image.ids),
-                    Binding::new("tally", &this.tally),
-                ];
-                this.kernels.cover.dispatch(this.gpu, encoder, &bindings, lens.tiles() * 256)
-            })?;
-        }
-        Ok(())
-    }
-
-    fn mark(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        self.run(lens, |this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("faces", &this.faces),
-                Binding::new("corners", &this.corners),
-                Binding::new("depths", &image.depths),
-                Binding::new("ids", &image.ids),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.mark.dispatch(this.gpu, encoder, &bindings, lens.faces)
-        })?;
-        Ok(())
-    }
-
-    fn shade(&mut self, lens: &Lens, image: &GpuImage, shadows: &GpuImage) -> Result<(), Error> {
-        self.gpu.write(&self.lens, &[*lens]);
-        let mut encoder = self.gpu.encoder();
+    fn cover_once(&self, encoder: &mut wgpu::CommandEncoder, image: &GpuImage) -> Result<(), Error> {
         let bindings = [
             Binding::new("lens", &self.lens),
-            Binding::new("canvas", &self.canvas),
-            Binding::new("lenses", &self.lenses),
-            Binding::new("vertices", &self.vertices),
-            Binding::new("faces", &self.faces),
-            Binding::new("paints", &self.paints),
-            Binding::new("lamps", &self.lamps),
-            Binding::new("texels", &self.texels),
-            Binding::new("shadows", &shadows.depths),
-            Binding::new("ids", &image.ids),
-            Binding::new("sums", &self.sums),
+            Binding::new("pieces", &self.pieces),
+            Binding::new("starts", &self.starts),
+            Binding::new("entries", &self.entries),
+            Binding::new("busy", &self.busy),
+            Binding::new("image", &image.words),
+            Binding::new("tally", &self.tally),
         ];
-        self.kernels.shade.dispatch(self.gpu, &mut encoder, &bindings, lens.pixels())?;
-        self.gpu.finish(encoder)
+        self.kernels.cover[usize::from(image.eye)].dispatch_called(self.gpu, encoder, &bindings, &self.calls, COVER)
     }
 
-    fn end(&mut self, image: &GpuImage) -> Result<Drawn, Error> {
-        let sums = self.gpu.read(&self.sums)?;
-        let wanted = self.samples as f32;
-        if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {
-            return Err(Error::Incomplete(format!("a pixel has {} of {wanted} samples", short[3])));
+    /// Makes room for what was counted; whether there was enough.
+    fn grow(&mut self, told: &Tally) -> Result<bool, Error> {
+        let late = told.late.iter().sum();
+        let [late, pieces, entries] = [late, told.pieces, told.entries].map(|n: u32| n as usize);
+        if late > self.late.len() {
+            self.late = self.gpu.zeroed("late", late)?;
+        } else if pieces > self.pieces.len() {
+            self.pieces = self.gpu.zeroed("pieces", pieces)?;
+        } else if entries > self.entries.len() {
+            self.entries = self.gpu.zeroed("entries", entries)?;
+        } else {
+            return Ok(true);
         }
-        Ok((sums, self.gpu.read(&image.ids)?))
+        Ok(false)
     }
 }
-
-/// Invocations that share a piece, as in `wgsl/raster/reach.wgsl`.
-const SHARE: u32 = 16;

@@ -7,6 +7,10 @@ const IMPORT: &str = "#import ";
 /// The lines from one of this form to [`END`] are written once for each of a kind of thing, or so many times, with its
 /// number in the place of [`NUMBER`]: an index that is a constant is what lavapipe reads once for all lanes, not lane by lane.
 const REPEAT: &str = "#repeat ";
+/// The lines from one of this form to [`ELSE`] or [`END`] are there if the sources are for what it names, those from
+/// [`ELSE`] on if they are not.
+const IF: &str = "#if ";
+const ELSE: &str = "#else";
 const END: &str = "#end";
 const NUMBER: &str = "$i";
 
@@ -24,21 +28,23 @@ embed! {
     "math/random",
     "math/sphere",
     "math/vector",
-    "raster/clear",
+    "raster/call",
     "raster/clip",
     "raster/count",
     "raster/cover",
+    "raster/cut",
     "raster/facet",
     "raster/fill",
     "raster/hold",
     "raster/mark",
+    "raster/pixels",
     "raster/plan",
-    "raster/project",
     "raster/reach",
     "raster/scan",
     "raster/shade",
     "raster/shadow",
     "raster/snap",
+    "raster/speck",
     "raster/split",
     "raster/texture",
     "raster/weights",
@@ -78,6 +84,7 @@ embed! {
 pub struct Sources {
     changed: Vec<(String, String)>,
     counts: Vec<(String, u32)>,
+    variant: Vec<String>,
 }
 
 impl Sources {
@@ -102,6 +109,17 @@ impl Sources {
         self.counts.retain(|(k, _)| k != kind);
         self.counts.push((kind.to_owned(), count));
         self
+    }
+
+    /// The same sources for a variant of a kernel: what is in `#if WHAT` is there, what is in its `#else` is not.
+    #[must_use]
+    pub fn for_what(mut self, what: &str) -> Self {
+        self.variant.push(what.to_owned());
+        self
+    }
+
+    fn are_for(&self, what: &str) -> bool {
+        self.variant.iter().any(|w| w == what)
     }
 
     /// A line with each `$KIND` replaced by how many there are.
@@ -152,26 +170,64 @@ fn pull(sources: &Sources, name: &str, seen: &mut Vec<String>, out: &mut Joined)
     }
     let text = sources.get(name).ok_or_else(|| format!("there is no file wgsl/{name}.wgsl"))?;
     seen.push(name.to_owned());
-    let put = |out: &mut Joined, line: &str, number: u32| {
-        out.text.push_str(line);
-        out.text.push('\n');
-        out.lines.push((format!("wgsl/{name}.wgsl"), number));
-    };
-    let mut lines = text.lines().zip(1..);
-    while let Some((line, number)) = lines.next() {
+    let lines: Vec<_> = text.lines().zip(1..).collect();
+    put(sources, name, &lines, seen, out)
+}
+
+/// Lines of one file, with what they ask for in the place of those that begin with `#`.
+fn put(
+    sources: &Sources,
+    name: &str,
+    mut lines: Lines<'_, '_>,
+    seen: &mut Vec<String>,
+    out: &mut Joined,
+) -> Result<(), String> {
+    while let Some((&(line, number), rest)) = lines.split_first() {
+        lines = rest;
+        let trimmed = line.trim_start();
         if let Some(import) = line.strip_prefix(IMPORT) {
             let import = import.trim().trim_matches('"').trim_end_matches(".wgsl");
             pull(sources, import, seen, out).map_err(|e| format!("wgsl/{name}.wgsl:{number}: {e}"))?;
-        } else if let Some(kind) = line.trim_start().strip_prefix(REPEAT) {
-            let body: Vec<_> = lines.by_ref().take_while(|(line, _)| line.trim() != END).collect();
+        } else if let Some(kind) = trimmed.strip_prefix(REPEAT) {
+            let [body, _, after] = block(lines);
+            lines = after;
             for i in 0..sources.count(kind.trim()) {
-                for (line, number) in &body {
-                    put(out, &line.replace(NUMBER, &i.to_string()), *number);
-                }
+                let numbered: Vec<_> = body.iter().map(|(l, n)| (l.replace(NUMBER, &i.to_string()), *n)).collect();
+                let numbered: Vec<_> = numbered.iter().map(|(l, n)| (l.as_str(), *n)).collect();
+                put(sources, name, &numbered, seen, out)?;
             }
+        } else if let Some(what) = trimmed.strip_prefix(IF) {
+            let [then, otherwise, after] = block(lines);
+            lines = after;
+            put(sources, name, if sources.are_for(what.trim()) { then } else { otherwise }, seen, out)?;
         } else {
-            put(out, &sources.counted(line), number);
+            out.text.push_str(&sources.counted(line));
+            out.text.push('\n');
+            out.lines.push((format!("wgsl/{name}.wgsl"), number));
         }
     }
     Ok(())
+}
+
+/// Lines of a file with their numbers.
+type Lines<'a, 'b> = &'a [(&'b str, u32)];
+
+/// The lines up to this block's [`ELSE`], those from there to its [`END`], and those after it.
+fn block<'a, 'b>(lines: Lines<'a, 'b>) -> [Lines<'a, 'b>; 3] {
+    let (mut depth, mut middle) = (0, None);
+    for (i, (line, _)) in lines.iter().enumerate() {
+        let line = line.trim();
+        if line.starts_with(REPEAT) || line.starts_with(IF) {
+            depth += 1;
+        } else if line == ELSE && depth == 0 {
+            middle = Some(i);
+        } else if line == END {
+            if depth == 0 {
+                let otherwise = middle.map_or(i, |m| m + 1);
+                return [&lines[..middle.unwrap_or(i)], &lines[otherwise..i], &lines[i + 1..]];
+            }
+            depth -= 1;
+        }
+    }
+    [lines, &[], &[]]
 }

@@ -41,10 +41,6 @@ pub fn draw(scene: &Scene) -> Drawing {
         texels,
     };
     lamps(scene, bounds, &mut drawing);
-    let count = (drawing.vertices.len() as u32, drawing.faces.len() as u32);
-    for lens in drawing.eyes.iter_mut().chain(&mut drawing.lenses) {
-        (lens.vertices, lens.faces) = count;
-    }
     drawing
 }
 

@@ -34,8 +34,6 @@ fn lens(size: [u32; 2], [x, y, z, w]: [Vec4; 4]) -> Lens {
         height,
         first: 0,
         columns: width.div_ceil(TILE),
-        vertices: 0,
-        faces: 0,
         cull: 0,
         zero: 0,
         bias: 0,
@@ -44,8 +42,6 @@ fn lens(size: [u32; 2], [x, y, z, w]: [Vec4; 4]) -> Lens {
         guard_y: REACH * 2.0 / height as f32,
         small: 16,
         round: 0,
-        pieces: 0,
-        pad: 0,
     }
 }
 

@@ -22,10 +22,6 @@ pub struct Lens {
     pub first: u32,
     /// Tiles in a row.
     pub columns: u32,
-    /// How many there are.
-    pub vertices: u32,
-    /// How many there are.
-    pub faces: u32,
     /// 1 if one-sided faces are seen from their front alone.
     pub cull: u32,
     /// Zero, which no compiler can know: what floats are fenced with.
@@ -40,12 +36,8 @@ pub struct Lens {
     pub guard_y: f32,
     /// The largest bounding box, in pixels a side, that one invocation draws alone.
     pub small: u32,
-    /// Which portion of a tile's list is drawn: `round * MOST_ENTRIES` and on.
+    /// Which portion of a tile's lists is drawn: `round * MOST_ENTRIES` and on.
     pub round: u32,
-    /// Pieces that there are, once they are counted.
-    pub pieces: u32,
-    /// Zero: room that WGSL asks for.
-    pub pad: u32,
 }
 
 impl Lens {
@@ -64,12 +56,15 @@ impl Lens {
 
 /// The depth of the far plane; the near plane's is 0.
 pub const DEEP: u32 = 1 << 30;
-/// Deeper than anything: nothing is drawn here.
+/// Deeper than anything. An image holds this less the depth and [`NONE`](super::NONE) less the id, so that zero is
+/// nothing and what counts is the largest.
 pub const NO_DEPTH: u32 = u32::MAX;
 /// Pixels along the side of a tile.
 pub const TILE: u32 = 16;
-/// Entries of a tile's list that one dispatch draws.
-pub const MOST_ENTRIES: u32 = 4096;
+/// Tiles along the side of a bin.
+pub const BIN: u32 = 8;
+/// Entries of each of a tile's lists that one dispatch draws.
+pub const MOST_ENTRIES: u32 = 16384;
 /// Lenses of lights that a scene has room for.
 pub const MOST_LENSES: u32 = 32;
 /// A depth that climbs faster from pixel to pixel is not biased any more.

@@ -30,5 +30,15 @@ pub struct Face {
     pub paint: u32,
 }
 
+/// Faces that are bound together with their vertices: the ids from `first` on.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Part {
+    /// The id of its first face.
+    pub first: u32,
+    /// How many it has.
+    pub faces: u32,
+}
+
 /// The face is not there when it is seen from its back.
 pub const ONE_SIDED: u32 = 0x8000_0000;

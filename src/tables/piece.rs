@@ -2,46 +2,42 @@
 
 use glam::IVec3;
 
-/// A vertex on the film, in fixed point.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct Corner {
-    /// x to the right and y down in 1/256 pixel, z from 0 to [`DEEP`](super::DEEP); zero where `code` is not.
-    pub at: IVec3,
-    /// The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
-    pub code: u32,
-}
-
-/// A triangle on the film, with an area above zero, that is drawn tile by tile.
+/// A triangle on the film, with an area above zero, and the bin in which it is drawn tile by tile.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct Piece {
-    /// First corner, as in [`Corner::at`].
+    /// First corner: x to the right and y down in 1/256 pixel, z from 0 to [`DEEP`](super::DEEP).
     pub a: IVec3,
     /// The face that it is a piece of.
     pub id: u32,
     /// Second corner.
     pub b: IVec3,
-    /// Zero: room that WGSL asks for.
-    pub pad_b: u32,
+    /// The bin's first column of tiles.
+    pub column: u32,
     /// Third corner.
     pub c: IVec3,
-    /// Zero: room that WGSL asks for.
-    pub pad_c: u32,
+    /// The bin's first row of tiles.
+    pub row: u32,
 }
 
 /// What the stages of a lens have counted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, bytemuck::Pod, bytemuck::Zeroable)]
 pub struct Tally {
-    /// Pieces, those included that found no room.
+    /// Faces that are not drawn at once, those included that found no room: whole ones, and those that cross a plane.
+    pub late: [u32; 2],
+    /// Pieces, likewise.
     pub pieces: u32,
-    /// Entries of all tiles' lists together.
+    /// Entries of all tiles' lists together, likewise.
     pub entries: u32,
     /// Entries of the longest list.
     pub longest: u32,
-    /// Workgroups that ran to their end.
+    /// Tiles with an entry.
+    pub busy: u32,
+    /// Workgroups of the last stage that ran to their end.
     pub groups: u32,
+    /// Zero: room to grow.
+    pub pad: u32,
 }
 
 /// Planes that a triangle is clipped by.

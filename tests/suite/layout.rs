@@ -3,7 +3,7 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Canvas, Corner, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Path, Piece, Plane,
+    self, Canvas, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path, Piece, Plane,
     Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
 };
 
@@ -96,8 +96,6 @@ fn structs_are_the_same() {
                 height,
                 first,
                 columns,
-                vertices,
-                faces,
                 cull,
                 zero,
                 bias,
@@ -105,16 +103,14 @@ fn structs_are_the_same() {
                 guard_x,
                 guard_y,
                 small,
-                round,
-                pieces,
-                pad
+                round
             }
         ),
         mirror!(module, Vertex { position, u, normal, v }),
         mirror!(module, Face { a, b, c, paint }),
-        mirror!(module, Corner { at, code }),
-        mirror!(module, Piece { a, id, b, pad_b, c, pad_c }),
-        mirror!(module, Tally { pieces, entries, longest, groups }),
+        mirror!(module, Part { first, faces }),
+        mirror!(module, Piece { a, id, b, column, c, row }),
+        mirror!(module, Tally { late, pieces, entries, longest, busy, groups, pad }),
         mirror!(module, Map { first, width, height, levels, scale, shift }),
         mirror!(
             module,
@@ -178,6 +174,7 @@ fn constants_are_the_same() {
         DEEP,
         NO_DEPTH,
         TILE,
+        BIN,
         MOST_ENTRIES,
         MOST_LENSES,
         STEEPEST,

@@ -23,6 +23,7 @@ mod oracle;
 mod parts;
 mod raster_exact;
 mod raster_frames;
+mod raster_mutants;
 mod raster_oracle;
 mod raster_order;
 mod raster_shrink;

@@ -103,7 +103,6 @@ fn plain(number: u32) -> Drawing {
     let mut drawing = random_drawing(number);
     (drawing.eyes[0].bias, drawing.eyes[0].slope) = (0, 0);
     drawing.faces.truncate(20);
-    drawing.eyes[0].faces = 20;
     drawing
 }
 
@@ -132,7 +131,6 @@ fn on_grid(number: u32) -> Drawing {
         ..random_drawing(0).faces[*i as usize % 2]
     });
     let faces: Vec<_> = faces.collect();
-    (lens.vertices, lens.faces) = (vertices.len() as u32, faces.len() as u32);
     Drawing { eyes: vec![lens], vertices, faces, ..random_drawing(0) }
 }
 

@@ -67,9 +67,8 @@ fn with_faces(drawing: &Drawing, faces: &[Face]) -> Drawing {
     used.dedup();
     let place = |vertex: u32| used.iter().position(|u| *u == vertex).unwrap_or_default() as u32;
     let face = |f: &Face| Face { a: place(f.a), b: place(f.b), c: place(f.c), ..*f };
-    let eyes = vec![Lens { vertices: used.len() as u32, faces: faces.len() as u32, ..drawing.eyes[0] }];
     let vertices = used.iter().map(|i| drawing.vertices[*i as usize]).collect();
-    Drawing { eyes, vertices, faces: faces.iter().map(face).collect(), ..drawing.clone() }
+    Drawing { vertices, faces: faces.iter().map(face).collect(), ..drawing.clone() }
 }
 
 /// All that a person needs to draw it by hand.
@@ -91,16 +90,16 @@ pub(super) fn text(drawing: &Drawing) -> String {
 fn a_planted_fault_shrinks_to_a_drawing_that_shows_it() {
     let gpu = gpu();
     let faults = [
-        ("raster/plan", "select(-1, 0, owned)", "0", 1),
+        ("raster/plan", "select(-1, 0, owned(a, b))", "0", 1),
         ("raster/clip", "meet(next, here, plane)", "meet(here, next, plane)", 1),
-        ("raster/cover", "d == depth && plan_ids[k] < id", "d == depth", 2),
+        ("raster/pixels", "(near == old.near) & (vec2u(id) > old.id)", "(near == old.near)", 2),
     ];
     for (file, right, wrong, faces) in faults {
         let text_of = Sources::default().get(file).expect("the file").into_owned();
         assert!(text_of.contains(right), "{file} has no {right}");
         let sources = Sources::default().with(file, text_of.replace(right, wrong));
         let kernels = GpuRaster::new(&gpu, &sources, &random_drawing(0)).expect("kernels");
-        let fails = |d: &Drawing| on_gpu(&gpu, &kernels, d, 1024).is_ok_and(|found| found != on_cpu(d).1);
+        let fails = |d: &Drawing| on_gpu(&kernels, d, 1024).is_ok_and(|found| found != on_cpu(d).1);
         let drawing = (0..200).map(random_drawing).find(&fails).unwrap_or_else(|| panic!("nobody sees {wrong}"));
         let small = shrink(&drawing, fails);
         let shown = text(&small);

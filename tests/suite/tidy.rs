@@ -29,12 +29,27 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     all
 }
 
+/// What kernels are for beside the usual.
+const VARIANTS: [(&str, &[&str]); 6] = [
+    ("raster/split", &["eye"]),
+    ("raster/split", &["eye", "wide"]),
+    ("raster/cut", &["torn"]),
+    ("raster/cover", &["eye"]),
+    ("raster/cover", &["subgroups"]),
+    ("raster/cover", &["eye", "subgroups"]),
+];
+
 fn kernels() -> Vec<(&'static str, Module, ModuleInfo)> {
     let with_entry = FILES.iter().filter(|(_, text)| text.contains("@compute"));
-    let parsed = with_entry.map(|(name, _)| {
-        let joined = join(&Sources::default(), name).unwrap_or_else(|e| panic!("{e}"));
+    let with_entry = with_entry.flat_map(|(name, _)| {
+        let named = VARIANTS.iter().filter(move |(n, _)| n == name).map(|(_, variant)| *variant);
+        std::iter::once(&[] as &[&str]).chain(named).map(move |variant| (*name, variant))
+    });
+    let parsed = with_entry.map(|(name, variant)| {
+        let sources = variant.iter().fold(Sources::default(), |sources, what| sources.for_what(what));
+        let joined = join(&sources.with_count("rows", 2), name).unwrap_or_else(|e| panic!("{e}"));
         let (module, info) = parse(&joined, name).unwrap_or_else(|e| panic!("{e}"));
-        (*name, module, info)
+        (name, module, info)
     });
     let all: Vec<_> = parsed.collect();
     assert!(all.len() >= 3, "where are the kernels?");

@@ -1,4 +1,4 @@
-// pieces -> how many of them each tile has
+// pieces -> how many of them each list has
 #import "tables/slice.wgsl"
 #import "raster/reach.wgsl"
 
@@ -13,21 +13,22 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let number = (group.y * groups.x + group.x) * GROUP + lane;
-    let i = number / SHARE;
-    if (i < lens.pieces) {
+    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    if (i < min(atomicLoad(&tally.pieces), arrayLength(&pieces))) {
         let piece = pieces[i];
-        let under = tiles_of(piece);
-        let columns = under.z - under.x + 1u;
-        let all = columns * (under.w - under.y + 1u);
-        for (var k = number % SHARE; k < all; k += SHARE) {
-            let tile = under.xy + vec2u(k % columns, k / columns);
-            if (touches(piece, tile)) {
-                atomicAdd(&counts[tile.y * lens.columns + tile.x], 1u);
+        let r = reach(piece);
+        var tile = r.tiles.xy;
+        loop {
+            let way = how(r, tile, TILE);
+            if (way != MISSED) {
+                atomicAdd(&counts[list_of(piece, tile, way)], 1u);
+            }
+            // Along the row, then to the next one.
+            let ends = tile.x == r.tiles.z;
+            tile = vec2u(select(tile.x + 1u, r.tiles.x, ends), tile.y + select(0u, 1u, ends));
+            if (tile.y > r.tiles.w) {
+                break;
             }
         }
-    }
-    if (lane == 0u) {
-        atomicAdd(&tally.groups, 1u);
     }
 }

@@ -1,4 +1,4 @@
-// pieces -> the list of each tile, in any order
+// pieces -> the lists of each tile, in any order
 #import "tables/slice.wgsl"
 #import "raster/reach.wgsl"
 
@@ -16,22 +16,26 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let number = (group.y * groups.x + group.x) * GROUP + lane;
-    let i = number / SHARE;
-    if (i < lens.pieces) {
+    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    if (i < min(atomicLoad(&tally.pieces), arrayLength(&pieces))) {
         let piece = pieces[i];
-        let under = tiles_of(piece);
-        let columns = under.z - under.x + 1u;
-        let all = columns * (under.w - under.y + 1u);
-        for (var k = number % SHARE; k < all; k += SHARE) {
-            let tile = under.xy + vec2u(k % columns, k / columns);
-            if (touches(piece, tile)) {
-                let number = tile.y * lens.columns + tile.x;
-                entries[starts[number] + atomicAdd(&counts[number], 1u)] = i;
+        let r = reach(piece);
+        var tile = r.tiles.xy;
+        loop {
+            let way = how(r, tile, TILE);
+            if (way != MISSED) {
+                let list = list_of(piece, tile, way);
+                let at = starts[list] + atomicAdd(&counts[list], 1u);
+                if (at < arrayLength(&entries)) {
+                    entries[at] = i;
+                }
+            }
+            // Along the row, then to the next one.
+            let ends = tile.x == r.tiles.z;
+            tile = vec2u(select(tile.x + 1u, r.tiles.x, ends), tile.y + select(0u, 1u, ends));
+            if (tile.y > r.tiles.w) {
+                break;
             }
         }
-    }
-    if (lane == 0u) {
-        atomicAdd(&tally.groups, 1u);
     }
 }

@@ -1,21 +1,26 @@
 // three corners in fixed point -> integer planes: coverage and depth at any pixel, exactly
 #import "raster/hold.wgsl"
 
-// Of a triangle whose area is above zero, as seen from a pixel near it, its origin. A pixel (x, y) from there is
-// covered where a * x + b * y + e >= 0 for all three edges.
+// The plane of depth of a triangle, as seen from a pixel near it, its origin.
+struct Depths {
+    // At (x, y) from there: zx * x + zy * y + z, modulo 2^32.
+    zx: i32,
+    zy: i32,
+    z: i32,
+    // What the corners span; no sample leaves it.
+    low: i32,
+    high: i32,
+    // The nearness of depth 0: what is less by the bias.
+    most: u32,
+}
+
+// Of a triangle whose area is above zero. A pixel (x, y) from the origin is covered where a * x + b * y + e >= 0 for
+// all three edges.
 struct Plan {
     a: vec3i,
     b: vec3i,
     e: vec3i,
-    // Depth: zx * x + zy * y + z, modulo 2^32.
-    zx: i32,
-    zy: i32,
-    z: i32,
-    // The depths that the corners span; no sample leaves them.
-    low: i32,
-    high: i32,
-    // Added to every depth.
-    bias: u32,
+    depths: Depths,
 }
 
 // Twice the signed area in 1/65536 pixel, in base 4096: x * 2^24 + y * 2^12 + z with y and z in 0 ... 4095.
@@ -46,33 +51,36 @@ fn area_sign(area: vec3i) -> i32 {
     return select(0, 1, (area.y | area.z) != 0);
 }
 
-// a * x + b * y + e, held within +-2^29: a tile's width from there it has the same sign.
+// a * x + b * y + e, held within +-2^30: a bin's width from there it has the same sign, and nothing overflows.
 //
-// In base 256, so that nothing overflows: |a|, |b| < 2^23, |x|, |y| < 2^15.
+// In base 256: |a|, |b| <= 2^22, |x|, |y| < 2^15.
 fn edge_at(a: i32, b: i32, e: i32, x: i32, y: i32) -> i32 {
     let low = (a & 255) * x + (b & 255) * y + e;
     let high = (a >> 8u) * x + (b >> 8u) * y + (low >> 8u);
-    if (high >= 2097152) {
-        return 536870912;
+    if (high >= 4194304) {
+        return 1073741824;
     }
-    if (high < -2097152) {
-        return -536870912;
+    if (high < -4194304) {
+        return -1073741824;
     }
     return high * 256 + (low & 255);
 }
 
+// A sample on an edge (a, b) belongs to the triangle whose left or top edge it is.
+fn owned(a: i32, b: i32) -> bool {
+    return a > 0 || (a == 0 && b > 0);
+}
+
 // The edge from p to q, as seen from the pixel `origin`: (a, b, e).
 //
-// The floor of the constant keeps every sign, since the rest of the sum is a multiple of 256. A sample on an edge
-// belongs to the triangle whose left or top edge it is.
+// The floor of the constant keeps every sign, since the rest of the sum is a multiple of 256.
 fn edge(p: vec3i, q: vec3i, origin: vec2i) -> vec3i {
     let a = p.y - q.y;
     let b = q.x - p.x;
-    let owned = a > 0 || (a == 0 && b > 0);
     let from_center = p.xy - vec2i(128);
     let whole = from_center >> vec2u(8u);
     let part = from_center & vec2i(255);
-    let constant = (select(-1, 0, owned) - (a * part.x + b * part.y)) >> 8u;
+    let constant = (select(-1, 0, owned(a, b)) - (a * part.x + b * part.y)) >> 8u;
     return vec3i(a, b, edge_at(a, b, constant, origin.x - whole.x, origin.y - whole.y));
 }
 
@@ -81,13 +89,8 @@ fn slope(numerator: f32, area: f32) -> i32 {
     return i32(clamp(floor(hold(numerator * 256.0) / area + 0.5), -1073741824.0, 1073741824.0));
 }
 
-// p, q, r with an area above zero, as seen from the pixel `origin`.
-fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
-    let pq = edge(p, q, origin);
-    let qr = edge(q, r, origin);
-    let rp = edge(r, p, origin);
-    let parts = area(p, q, r);
-    let size = (hold(f32(parts.x) * 16777216.0) + hold(f32(parts.y) * 4096.0)) + f32(parts.z);
+// The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
+fn depths_of(p: vec3i, q: vec3i, r: vec3i, size: f32, origin: vec2i) -> Depths {
     let u = vec3f(q - p);
     let v = vec3f(r - p);
     let zx = slope(hold(u.z * v.y) - hold(v.z * u.y), size);
@@ -99,22 +102,24 @@ fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
     let z = p.z - back + zx * (origin.x - whole.x) + zy * (origin.y - whole.y);
     let steep = min(u32(abs(zx)) + u32(abs(zy)), STEEPEST);
     let bias = lens.bias + (steep >> 8u) * lens.slope;
+    return Depths(zx, zy, z, min(p.z, min(q.z, r.z)), max(p.z, max(q.z, r.z)), NO_DEPTH - bias);
+}
+
+// p, q, r with an area above zero, as seen from the pixel `origin`.
+fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
+    let pq = edge(p, q, origin);
+    let qr = edge(q, r, origin);
+    let rp = edge(r, p, origin);
+    let parts = area(p, q, r);
+    let size = (hold(f32(parts.x) * 16777216.0) + hold(f32(parts.y) * 4096.0)) + f32(parts.z);
     return Plan(
-        vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z),
-        zx, zy, z, min(p.z, min(q.z, r.z)), max(p.z, max(q.z, r.z)), bias,
+        vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), depths_of(p, q, r, size, origin),
     );
 }
 
-// Whether no pixel of the tile that the plan is seen from can be covered: each edge is asked where it is largest.
-fn misses(plan: Plan) -> bool {
-    let side = i32(TILE) - 1;
-    let most = plan.e + max(plan.a, vec3i(0)) * side + max(plan.b, vec3i(0)) * side;
-    return (most.x | most.y | most.z) < 0;
-}
-
-// The depth of a pixel that is covered.
-fn depth_at(plan: Plan, x: i32, y: i32) -> u32 {
-    return u32(clamp(plan.z + plan.zx * x + plan.zy * y, plan.low, plan.high)) + plan.bias;
+// NO_DEPTH less the depth of a pixel: the larger, the nearer, and zero is nothing.
+fn nearness(d: Depths, x: i32, y: i32) -> u32 {
+    return d.most - u32(clamp(d.z + d.zx * x + d.zy * y, d.low, d.high));
 }
 
 // The pixels whose centers the bounding box holds: first and last column and row, however far off the film.

@@ -1,12 +1,14 @@
-// how many pieces each tile has -> where its list begins
+// how many pieces each list has -> where it begins, and the tiles that have any
 #import "tables/lens.wgsl"
 #import "tables/piece.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 // Zero again when their sums are taken: the lists are still to be filled.
 @group(0) @binding(1) var<storage, read_write> counts: array<u32>;
+// One more than there are lists: the last one's end.
 @group(0) @binding(2) var<storage, read_write> starts: array<u32>;
-@group(0) @binding(3) var<storage, read_write> tally: Tally;
+@group(0) @binding(3) var<storage, read_write> busy: array<u32>;
+@group(0) @binding(4) var<storage, read_write> tally: Tally;
 
 var<workgroup> sums: array<u32, 256>;
 
@@ -20,8 +22,10 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     var sum = 0u;
     var longest = 0u;
     for (var i = first; i < last; i++) {
-        sum += counts[i];
-        longest = max(longest, counts[i]);
+        let whole = counts[2u * i];
+        let touched = counts[2u * i + 1u];
+        sum += whole + touched;
+        longest = max(longest, max(whole, touched));
     }
     sums[lane] = sum;
     workgroupBarrier();
@@ -36,13 +40,20 @@ fn main(@builtin(local_invocation_index) lane: u32) {
     }
     var start = sums[lane] - sum;
     for (var i = first; i < last; i++) {
-        starts[i] = start;
-        start += counts[i];
-        counts[i] = 0u;
+        let whole = counts[2u * i];
+        let both = whole + counts[2u * i + 1u];
+        starts[2u * i] = start;
+        starts[2u * i + 1u] = start + whole;
+        start += both;
+        counts[2u * i] = 0u;
+        counts[2u * i + 1u] = 0u;
+        if (both > 0u) {
+            busy[atomicAdd(&tally.busy, 1u)] = i;
+        }
     }
     atomicMax(&tally.longest, longest);
     if (lane == 255u) {
-        atomicStore(&tally.entries, sums[255]);
-        atomicAdd(&tally.groups, 1u);
+        starts[2u * tiles] = sums[255];
+        tally.entries = sums[255];
     }
 }

@@ -8,13 +8,14 @@
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> canvas: Canvas;
 @group(0) @binding(2) var<uniform> lenses: array<Lens, 32>;
+@group(0) @binding(11) var<uniform> part: Part;
 @group(0) @binding(3) var<storage, read> vertices: array<Vertex>;
 @group(0) @binding(4) var<storage, read> faces: array<Face>;
 @group(0) @binding(5) var<storage, read> paints: array<Paint>;
 @group(0) @binding(6) var<storage, read> lamps: array<Lamp>;
 @group(0) @binding(7) var<storage, read> texels: array<u32>;
 @group(0) @binding(8) var<storage, read> shadows: array<u32>;
-@group(0) @binding(9) var<storage, read> ids: array<u32>;
+@group(0) @binding(9) var<storage, read> image: array<u32>;
 // Red, green, blue and the number of samples in the sum: the proof that the pixel was colored.
 @group(0) @binding(10) var<storage, read_write> sums: array<vec4f>;
 
@@ -59,7 +60,7 @@ fn color_of(id: u32) -> vec3f {
 
 fn color_at(pixel: u32, id: u32) -> vec3f {
     let at = vec2f(f32(pixel % lens.width), f32(pixel / lens.width)) + 0.5;
-    let face = faces[id];
+    let face = faces[id - part.first];
     let paint = paints[face.paint & ~ONE_SIDED];
     let a = vertices[face.a];
     let b = vertices[face.b];
@@ -136,11 +137,11 @@ fn main(
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
     if (i < lens.width * lens.height) {
-        let id = ids[i];
-        var color = canvas.background;
-        if (id != NONE) {
-            color = color_at(i, id);
+        let id = NONE - image[2u * i];
+        if (id - part.first < part.faces) {
+            sums[i] += vec4f(color_at(i, id), 1.0);
+        } else if (id == NONE && part.first == 0u) {
+            sums[i] += vec4f(canvas.background, 1.0);
         }
-        sums[i] += vec4f(color, 1.0);
     }
 }

@@ -44,7 +44,7 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     for (var j = -blur; j <= blur; j++) {
         for (var i = -blur; i <= blur; i++) {
             let at = clamp(row + j, 0, height - 1) * width + clamp(column + i, 0, width - 1);
-            if (depth <= shadows[lenses[by].first + u32(at)]) {
+            if (depth <= NO_DEPTH - shadows[lenses[by].first + u32(at)]) {
                 open++;
             }
         }

@@ -1,53 +1,42 @@
-// corners -> small faces drawn into the depths, and pieces of all others
+// faces -> small ones drawn onto the image, and the numbers of all others
 #import "tables/slice.wgsl"
-#import "raster/clip.wgsl"
-#import "raster/facet.wgsl"
+#import "tables/piece.wgsl"
+#import "tables/settings.wgsl"
+#import "raster/speck.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
-@group(0) @binding(1) var<storage, read> faces: array<Face>;
-@group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(3) var<storage, read> corners: array<Corner>;
-@group(0) @binding(4) var<storage, read_write> depths: array<atomic<u32>>;
-@group(0) @binding(5) var<storage, read_write> pieces: array<Piece>;
+#if wide
+// Of a pixel: the nearness, then NONE less the id.
+@group(0) @binding(4) var<storage, read_write> image: array<atomic<u64>>;
+#else
+@group(0) @binding(4) var<storage, read_write> image: array<atomic<u32>>;
+#end
+@group(0) @binding(5) var<storage, read_write> late: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tally: Tally;
 
-// Pieces that find no room are counted all the same: the host makes room and starts again.
-fn put_off(f: Facet, id: u32) {
-    let at = atomicAdd(&tally.pieces, 1u);
-    if (at < arrayLength(&pieces)) {
-        pieces[at] = Piece(f.p, id, f.q, 0u, f.r, 0u);
-    }
-}
+#if eye
+const WORDS: u32 = 2u;
+#else
+const WORDS: u32 = 1u;
+#end
 
-fn draw(f: Facet) {
-    let seen = plan(f.p, f.q, f.r, f.bounds.xy);
-    for (var y = f.bounds.y; y <= f.bounds.w; y++) {
-        for (var x = f.bounds.x; x <= f.bounds.z; x++) {
-            let here = vec2i(x, y) - f.bounds.xy;
-            let e = seen.e + seen.a * here.x + seen.b * here.y;
-            if ((e.x | e.y | e.z) >= 0) {
-                let at = lens.first + u32(y) * lens.width + u32(x);
-                let depth = depth_at(seen, here.x, here.y);
-                // Depths only ever fall, so what is no longer less need not ask.
-                if (depth < atomicLoad(&depths[at])) {
-                    atomicMin(&depths[at], depth);
-                }
+fn draw(s: Speck, id: u32) {
+    let from_first = s.last - s.first;
+    let corner = u32(s.first.y) * lens.width + u32(s.first.x);
+    for (var by = 0; by <= from_first.y; by += 8) {
+        for (var bx = 0; bx <= from_first.x; bx += 8) {
+            var bits = covered(s, vec2i(bx, by));
+            while ((bits.x | bits.y) != 0u) {
+                let here = first_of(bits) + vec2i(bx, by);
+                bits = rest_of(bits);
+                let pixel = corner + u32(here.y) * lens.width + u32(here.x);
+                let near = nearness(s.plan.depths, here.x, here.y);
+#if wide
+                atomicMax(&image[pixel], (u64(near) << 32u) | u64(NONE - id));
+#else
+                atomicMax(&image[lens.first + pixel * WORDS + (WORDS - 1u)], near);
+#end
             }
-        }
-    }
-}
-
-// What the planes leave of a face is a fan of pieces.
-fn cut(face: Face, id: u32) {
-    var polygon: array<vec4f, 9>;
-    polygon[0] = to_clip(vertices[face.a].position);
-    polygon[1] = to_clip(vertices[face.b].position);
-    polygon[2] = to_clip(vertices[face.c].position);
-    let count = clip(&polygon);
-    for (var i = 2u; i < count; i++) {
-        let f = facet(face.paint, snap(polygon[0]), snap(polygon[i - 1u]), snap(polygon[i]));
-        if (f.kind != NOTHING) {
-            put_off(f, id);
         }
     }
 }
@@ -59,23 +48,19 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    if (i < lens.faces) {
-        let face = faces[i];
-        let a = corners[face.a];
-        let b = corners[face.b];
-        let c = corners[face.c];
-        if ((a.code | b.code | c.code) == 0u) {
-            let f = facet(face.paint, a.at, b.at, c.at);
-            if (f.kind == SMALL) {
-                draw(f);
-            } else if (f.kind == LARGE) {
-                put_off(f, i);
-            }
-        } else if ((a.code & b.code & c.code) == 0u) {
-            cut(face, i);
+    if (i < part.faces) {
+        let s = speck(i);
+        if (s.kind == SMALL) {
+            draw(s, part.first + i);
         }
-    }
-    if (lane == 0u) {
-        atomicAdd(&tally.groups, 1u);
+        if (s.kind >= LATE) {
+            // Whole ones from the list's front, torn ones from its end. What finds no room is counted all the same: the host
+            // makes room and starts again.
+            let place = atomicAdd(&tally.late[s.kind - LATE], 1u);
+            let at = select(place, arrayLength(&late) - 1u - place, s.kind == TORN);
+            if (at < arrayLength(&late)) {
+                late[at] = part.first + i;
+            }
+        }
     }
 }

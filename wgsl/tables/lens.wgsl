@@ -11,8 +11,6 @@ struct Lens {
     first: u32,
     // Tiles in a row.
     columns: u32,
-    vertices: u32,
-    faces: u32,
     // 1 if one-sided faces are seen from their front alone.
     cull: u32,
     // Zero, which no compiler can know: what floats are fenced with.
@@ -26,21 +24,21 @@ struct Lens {
     guard_y: f32,
     // The largest bounding box, in pixels a side, that one invocation draws alone.
     small: u32,
-    // Which portion of a tile's list is drawn: round * MOST_ENTRIES and on.
+    // Which portion of a tile's lists is drawn: round * MOST_ENTRIES and on.
     round: u32,
-    // Pieces that there are, once they are counted.
-    pieces: u32,
-    pad: u32,
 }
 
 // The depth of the far plane; the near plane's is 0.
 const DEEP: u32 = 1073741824u;
-// Deeper than anything: nothing is drawn here.
+// Deeper than anything. An image holds NO_DEPTH less the depth and NONE less the id, so that zero is nothing and what
+// counts is the largest.
 const NO_DEPTH: u32 = 0xffffffffu;
 // Pixels along the side of a tile.
 const TILE: u32 = 16u;
-// Entries of a tile's list that one dispatch draws.
-const MOST_ENTRIES: u32 = 4096u;
+// Tiles along the side of a bin.
+const BIN: u32 = 8u;
+// Entries of each of a tile's lists that one dispatch draws.
+const MOST_ENTRIES: u32 = 16384u;
 // Lenses of lights that a scene has room for.
 const MOST_LENSES: u32 = 32u;
 // A depth that climbs faster from pixel to pixel is not biased any more.

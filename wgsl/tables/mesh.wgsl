@@ -17,3 +17,9 @@ struct Face {
 
 // The face is not there when it is seen from its back.
 const ONE_SIDED: u32 = 0x80000000u;
+
+// Faces that are bound together with their vertices: the ids from `first` on.
+struct Part {
+    first: u32,
+    faces: u32,
+}

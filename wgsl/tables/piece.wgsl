@@ -1,32 +1,32 @@
-// A vertex on the film, in fixed point.
-struct Corner {
-    // x to the right and y down in 1/256 pixel, z from 0 to DEEP; zero where `code` is not.
-    at: vec3i,
-    // The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
-    code: u32,
-}
-
-// A triangle on the film, with an area above zero, that is drawn tile by tile.
+// A triangle on the film, with an area above zero, and the bin in which it is drawn tile by tile.
 struct Piece {
+    // Corners: x to the right and y down in 1/256 pixel, z from 0 to DEEP.
     a: vec3i,
     // The face that it is a piece of.
     id: u32,
     b: vec3i,
-    pad_b: u32,
+    // The bin's first column of tiles.
+    column: u32,
     c: vec3i,
-    pad_c: u32,
+    // The bin's first row of tiles.
+    row: u32,
 }
 
 // What the stages of a lens have counted.
 struct Tally {
-    // Pieces, those included that found no room.
+    // Faces that are not drawn at once, those included that found no room: whole ones, and those that cross a plane.
+    late: array<atomic<u32>, 2>,
+    // Pieces, likewise.
     pieces: atomic<u32>,
-    // Entries of all tiles' lists together.
-    entries: atomic<u32>,
+    // Entries of all tiles' lists together, likewise.
+    entries: u32,
     // Entries of the longest list.
     longest: atomic<u32>,
-    // Workgroups that ran to their end.
+    // Tiles with an entry.
+    busy: atomic<u32>,
+    // Workgroups of the last stage that ran to their end.
     groups: atomic<u32>,
+    pad: u32,
 }
 
 // Planes that a triangle is clipped by.

@@ -1,14 +1,14 @@
-//! pieces -> how many of them each tile has
+//! pieces -> how many of them each list has
 
-use super::reach::each_tile;
+use super::reach::each_list;
 use crate::tables::{Lens, Piece};
 
-/// One number a tile.
+/// Two numbers a tile.
 #[must_use]
 pub fn count(lens: &Lens, pieces: &[Piece]) -> Vec<u32> {
-    let mut counts = vec![0; lens.tiles() as usize];
+    let mut counts = vec![0; 2 * lens.tiles() as usize];
     for piece in pieces {
-        each_tile(lens, piece, |tile| counts[tile] += 1);
+        each_list(lens, piece, |list| counts[list] += 1);
     }
     counts
 }

@@ -2,21 +2,15 @@
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use super::facet::{Kind, facet};
-use super::split::each_pixel;
-use crate::tables::{Corner, Face, Lens};
+use super::speck::{Speck, each_pixel, speck};
+use crate::tables::{Face, Lens, NONE, Vertex};
 
 /// One face, as [`split`](super::split::split) drew it.
-pub fn mark(lens: &Lens, id: u32, face: &Face, corners: &[Corner], depths: &[AtomicU32], ids: &[AtomicU32]) {
-    let [a, b, c] = [face.a, face.b, face.c].map(|i| corners[i as usize]);
-    if a.code | b.code | c.code != 0 {
-        return;
-    }
-    let f = facet(lens, face.paint, a.at, b.at, c.at);
-    if f.kind == Kind::Small {
-        each_pixel(lens, &f, |pixel, depth| {
-            if depths[(lens.first + pixel) as usize].load(Relaxed) == depth {
-                ids[pixel as usize].fetch_min(id, Relaxed);
+pub fn mark(lens: &Lens, id: u32, face: &Face, vertices: &[Vertex], nears: &[AtomicU32], ids: &[AtomicU32]) {
+    if let Speck::Small { first, last, plan } = speck(lens, face, vertices) {
+        each_pixel(lens, first, last, &plan, |pixel, near| {
+            if nears[(lens.first + pixel) as usize].load(Relaxed) == near {
+                ids[pixel as usize].fetch_max(NONE - id, Relaxed);
             }
         });
     }

@@ -2,7 +2,26 @@
 
 use glam::{IVec2, IVec3, IVec4};
 
-use crate::tables::{Lens, STEEPEST, TILE};
+use crate::tables::{Lens, NO_DEPTH, STEEPEST};
+
+/// The plane of depth of a triangle, as seen from a pixel near it, its origin.
+///
+/// At (x, y) from there the depth is `zx * x + zy * y + z`, modulo 2^32.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Depths {
+    /// What depth grows by from column to column.
+    pub zx: i32,
+    /// What depth grows by from row to row.
+    pub zy: i32,
+    /// Depth at the origin.
+    pub z: i32,
+    /// The least depth of the corners; no sample is below it.
+    pub low: i32,
+    /// The largest depth of the corners.
+    pub high: i32,
+    /// The nearness of depth 0: what is less by the bias.
+    pub most: u32,
+}
 
 /// A triangle whose area is above zero, as seen from a pixel near it, its origin.
 ///
@@ -15,18 +34,8 @@ pub struct Plan {
     pub b: IVec3,
     /// Each edge at the origin.
     pub e: IVec3,
-    /// What depth grows by from column to column.
-    pub zx: i32,
-    /// What depth grows by from row to row.
-    pub zy: i32,
-    /// Depth at the origin, modulo 2^32.
-    pub z: i32,
-    /// The least depth of the corners; no sample is below it.
-    pub low: i32,
-    /// The largest depth of the corners.
-    pub high: i32,
-    /// Added to every depth.
-    pub bias: u32,
+    /// The depths.
+    pub depths: Depths,
 }
 
 /// Twice the signed area in 1/65536 pixel, in base 4096: `x * 2^24 + y * 2^12 + z` with y and z in 0 ... 4095.
@@ -56,31 +65,36 @@ pub fn area_sign(area: IVec3) -> i32 {
     i32::from((area.y | area.z) != 0)
 }
 
-/// `a * x + b * y + e`, held within +-2^29: a tile's width from there it has the same sign.
+/// `a * x + b * y + e`, held within +-2^30: a bin's width from there it has the same sign, and nothing overflows.
 ///
-/// In base 256, so that nothing overflows: |a|, |b| < 2^23, |x|, |y| < 2^15.
+/// In base 256: |a|, |b| <= 2^22, |x|, |y| < 2^15.
 fn edge_at(a: i32, b: i32, e: i32, x: i32, y: i32) -> i32 {
     let low = (a & 255) * x + (b & 255) * y + e;
     let high = (a >> 8) * x + (b >> 8) * y + (low >> 8);
-    if high >= 1 << 21 {
-        1 << 29
-    } else if high < -(1 << 21) {
-        -(1 << 29)
+    if high >= 1 << 22 {
+        1 << 30
+    } else if high < -(1 << 22) {
+        -(1 << 30)
     } else {
         high * 256 + (low & 255)
     }
 }
 
+/// A sample on an edge (a, b) belongs to the triangle whose left or top edge it is.
+#[must_use]
+pub fn owned(a: i32, b: i32) -> bool {
+    a > 0 || (a == 0 && b > 0)
+}
+
 /// The edge from p to q, as seen from the pixel `origin`: (a, b, e).
 ///
-/// The floor of the constant keeps every sign, since the rest of the sum is a multiple of 256. A sample on an edge
-/// belongs to the triangle whose left or top edge it is.
-fn edge(p: IVec3, q: IVec3, origin: IVec2) -> IVec3 {
+/// The floor of the constant keeps every sign, since the rest of the sum is a multiple of 256.
+#[must_use]
+pub fn edge(p: IVec3, q: IVec3, origin: IVec2) -> IVec3 {
     let a = p.y - q.y;
     let b = q.x - p.x;
-    let owned = a > 0 || (a == 0 && b > 0);
     let [x, y] = [p.x - 128, p.y - 128];
-    let constant = (if owned { 0 } else { -1 } - (a * (x & 255) + b * (y & 255))) >> 8;
+    let constant = (if owned(a, b) { 0 } else { -1 } - (a * (x & 255) + b * (y & 255))) >> 8;
     IVec3::new(a, b, edge_at(a, b, constant, origin.x - (x >> 8), origin.y - (y >> 8)))
 }
 
@@ -89,12 +103,9 @@ fn slope(numerator: f32, area: f32) -> i32 {
     (numerator * 256.0 / area + 0.5).floor().clamp(-1_073_741_824.0, 1_073_741_824.0) as i32
 }
 
-/// p, q, r with an area above zero, as seen from the pixel `origin`.
+/// The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
 #[must_use]
-pub fn plan(lens: &Lens, p: IVec3, q: IVec3, r: IVec3, origin: IVec2) -> Plan {
-    let edges = [edge(p, q, origin), edge(q, r, origin), edge(r, p, origin)];
-    let parts = area(p, q, r);
-    let size = (parts.x as f32 * 16_777_216.0 + parts.y as f32 * 4096.0) + parts.z as f32;
+pub fn depths_of(lens: &Lens, [p, q, r]: [IVec3; 3], size: f32, origin: IVec2) -> Depths {
     let (u, v) = ((q - p).as_vec3(), (r - p).as_vec3());
     let zx = slope(u.z * v.y - v.z * u.y, size);
     let zy = slope(v.z * u.x - u.z * v.x, size);
@@ -104,32 +115,29 @@ pub fn plan(lens: &Lens, p: IVec3, q: IVec3, r: IVec3, origin: IVec2) -> Plan {
     let z = p.z.wrapping_sub(back);
     let z = z.wrapping_add(zx.wrapping_mul(origin.x - (x >> 8))).wrapping_add(zy.wrapping_mul(origin.y - (y >> 8)));
     let steep = (zx.unsigned_abs() + zy.unsigned_abs()).min(STEEPEST);
+    let bias = lens.bias + (steep >> 8) * lens.slope;
+    Depths { zx, zy, z, low: p.z.min(q.z).min(r.z), high: p.z.max(q.z).max(r.z), most: NO_DEPTH - bias }
+}
+
+/// p, q, r with an area above zero, as seen from the pixel `origin`.
+#[must_use]
+pub fn plan(lens: &Lens, [p, q, r]: [IVec3; 3], origin: IVec2) -> Plan {
+    let edges = [edge(p, q, origin), edge(q, r, origin), edge(r, p, origin)];
+    let parts = area(p, q, r);
+    let size = (parts.x as f32 * 16_777_216.0 + parts.y as f32 * 4096.0) + parts.z as f32;
     Plan {
         a: IVec3::from_array(edges.map(|e| e.x)),
         b: IVec3::from_array(edges.map(|e| e.y)),
         e: IVec3::from_array(edges.map(|e| e.z)),
-        zx,
-        zy,
-        z,
-        low: p.z.min(q.z).min(r.z),
-        high: p.z.max(q.z).max(r.z),
-        bias: lens.bias + (steep >> 8) * lens.slope,
+        depths: depths_of(lens, [p, q, r], size, origin),
     }
 }
 
-/// Whether no pixel of the tile that the plan is seen from can be covered: each edge is asked where it is largest.
+/// [`NO_DEPTH`] less the depth of a pixel: the larger, the nearer, and zero is nothing.
 #[must_use]
-pub fn misses(plan: &Plan) -> bool {
-    let side = TILE as i32 - 1;
-    let most = plan.e + plan.a.max(IVec3::ZERO) * side + plan.b.max(IVec3::ZERO) * side;
-    (most.x | most.y | most.z) < 0
-}
-
-/// The depth of a pixel that is covered.
-#[must_use]
-pub fn depth_at(plan: &Plan, x: i32, y: i32) -> u32 {
-    let z = plan.z.wrapping_add(plan.zx.wrapping_mul(x)).wrapping_add(plan.zy.wrapping_mul(y));
-    z.clamp(plan.low, plan.high) as u32 + plan.bias
+pub fn nearness(d: &Depths, x: i32, y: i32) -> u32 {
+    let z = d.z.wrapping_add(d.zx.wrapping_mul(x)).wrapping_add(d.zy.wrapping_mul(y));
+    d.most - z.clamp(d.low, d.high) as u32
 }
 
 /// Whether a pixel is covered.

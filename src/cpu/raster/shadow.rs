@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use glam::Vec3;
 
 use super::snap::to_clip;
-use crate::tables::{DEEP, Lamp, Lens, NONE, POINT};
+use crate::tables::{DEEP, Lamp, Lens, NO_DEPTH, NONE, POINT};
 
 /// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
 fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
@@ -44,7 +44,7 @@ pub fn reaches(lenses: &[Lens], shadows: &[AtomicU32], blur: u32, lamp: &Lamp, p
     for j in -blur..=blur {
         for i in -blur..=blur {
             let at = (row + j).clamp(0, height - 1) * width + (column + i).clamp(0, width - 1);
-            if depth <= shadows[lens.first as usize + at as usize].load(Relaxed) {
+            if depth <= NO_DEPTH - shadows[lens.first as usize + at as usize].load(Relaxed) {
                 open += 1;
             }
         }

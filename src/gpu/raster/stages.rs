@@ -1,0 +1,186 @@
+//! The rasterizer's stages, recorded one after the other.
+
+use super::{CUT, CUT_TORN, GpuImage, GpuRaster, SORT};
+use crate::gpu::{Binding, Error};
+use crate::raster::{Drawn, Raster};
+use crate::tables::{Lens, MOST_ENTRIES};
+
+impl Raster for GpuRaster<'_> {
+    type Image = GpuImage;
+    type Error = Error;
+
+    fn image(&mut self, pixels: usize, ids: bool) -> Result<GpuImage, Error> {
+        let words = self.gpu.zeroed("image", if ids { 2 * pixels } else { pixels })?;
+        Ok(GpuImage { words, eye: ids })
+    }
+
+    fn clear(&mut self, image: &mut GpuImage) -> Result<(), Error> {
+        self.record(|_, encoder| {
+            image.words.clear(encoder);
+            Ok(())
+        })
+    }
+
+    fn split(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+        self.gpu.write(&self.lens, &[*lens]);
+        self.record(|this, encoder| {
+            this.tally.clear(encoder);
+            let words = Binding::new("image", &image.words);
+            let wide = image.eye && this.kernels.variant.wide;
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("part", &bound.about),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("faces", &bound.faces),
+                    if wide { words.of_bytes(8) } else { words },
+                    Binding::new("late", &this.late),
+                    Binding::new("tally", &this.tally),
+                ];
+                let split = &this.kernels.split[usize::from(image.eye)];
+                split.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
+            }
+            this.call(encoder)
+        })
+    }
+
+    fn cut(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("part", &bound.about),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("faces", &bound.faces),
+                    Binding::new("late", &this.late),
+                    Binding::new("pieces", &this.pieces),
+                    Binding::new("tally", &this.tally),
+                ];
+                for (cut, row) in this.kernels.cut.iter().zip([CUT, CUT_TORN]) {
+                    cut.dispatch_called(this.gpu, encoder, &bindings, &this.calls, row)?;
+                }
+            }
+            this.call(encoder)
+        })
+    }
+
+    fn count(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            this.counts.clear(encoder);
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("pieces", &this.pieces),
+                Binding::new("counts", &this.counts),
+                Binding::new("tally", &this.tally),
+            ];
+            this.kernels.count.dispatch_called(this.gpu, encoder, &bindings, &this.calls, SORT)
+        })
+    }
+
+    fn scan(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("counts", &this.counts),
+                Binding::new("starts", &this.starts),
+                Binding::new("busy", &this.busy),
+                Binding::new("tally", &this.tally),
+            ];
+            this.kernels.scan.dispatch(this.gpu, encoder, &bindings, 1)?;
+            this.call(encoder)
+        })
+    }
+
+    fn fill(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("pieces", &this.pieces),
+                Binding::new("starts", &this.starts),
+                Binding::new("counts", &this.counts),
+                Binding::new("entries", &this.entries),
+                Binding::new("tally", &this.tally),
+            ];
+            this.kernels.fill.dispatch_called(this.gpu, encoder, &bindings, &this.calls, SORT)
+        })
+    }
+
+    fn cover(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+        self.record(|this, encoder| this.cover_once(encoder, image))
+    }
+
+    fn settle(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<bool, Error> {
+        let told = self.told()?;
+        if !self.grow(&told)? {
+            return Ok(false);
+        }
+        let mut rounds = 1;
+        while rounds * MOST_ENTRIES < told.longest {
+            self.gpu.write(&self.lens, &[Lens { round: rounds, ..*lens }]);
+            let mut encoder = self.gpu.encoder();
+            self.cover_once(&mut encoder, image)?;
+            self.gpu.finish(encoder)?;
+            rounds += 1;
+        }
+        self.gpu.write(&self.lens, &[*lens]);
+        // Two factors of the workgroups that `call` asked for.
+        let groups = told.busy.min(65_535) * told.busy.div_ceil(65_535);
+        if told.groups != groups {
+            return Err(Error::Incomplete(format!("{} of {groups} workgroups ran", told.groups)));
+        }
+        Ok(true)
+    }
+
+    fn mark(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+        if self.kernels.variant.wide {
+            return Ok(());
+        }
+        self.record(|this, encoder| {
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("part", &bound.about),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("faces", &bound.faces),
+                    Binding::new("image", &image.words),
+                ];
+                this.kernels.mark.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn shade(&mut self, lens: &Lens, image: &GpuImage, shadows: &GpuImage) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("canvas", &this.canvas),
+                    Binding::new("lenses", &this.lenses),
+                    Binding::new("part", &bound.about),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("faces", &bound.faces),
+                    Binding::new("paints", &this.paints),
+                    Binding::new("lamps", &this.lamps),
+                    Binding::new("texels", &this.texels),
+                    Binding::new("shadows", &shadows.words),
+                    Binding::new("image", &image.words),
+                    Binding::new("sums", &this.sums),
+                ];
+                this.kernels.shade.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
+            }
+            Ok(())
+        })?;
+        let encoder = self.recorded();
+        self.gpu.finish(encoder)
+    }
+
+    fn end(&mut self, image: &GpuImage) -> Result<Drawn, Error> {
+        let sums = self.gpu.read(&self.sums)?;
+        let wanted = self.samples as f32;
+        if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {
+            return Err(Error::Incomplete(format!("a pixel has {} of {wanted} samples", short[3])));
+        }
+        Ok((sums, self.seen(image)?.1))
+    }
+}

@@ -1,0 +1,57 @@
+//! an adapter -> the variants of the rasterizer's kernels that suit it
+
+use crate::gpu::wgsl::Sources;
+use crate::gpu::{Error, Gpu, Kernel};
+
+/// Which variants of the kernels are used. None of it shows in the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Variant {
+    /// Depth and id are one word of 64 bits, so that one pass decides both; else ids are marked in a second one.
+    pub wide: bool,
+    /// Lanes of a subgroup hand each other what they have planned; else it goes through workgroup memory.
+    pub subgroups: bool,
+    /// Rows of a tile that a lane has two pixels of: 2 is 64 lanes a tile, 16 is 8.
+    pub rows: u32,
+}
+
+/// Plans that a subgroup shares at a time: no subgroup is smaller.
+const BATCH: u32 = 4;
+
+impl Variant {
+    /// What runs on every adapter.
+    pub const PORTABLE: Self = Self { wide: false, subgroups: false, rows: 2 };
+
+    /// The fastest that the adapter has.
+    #[must_use]
+    pub fn of(gpu: &Gpu) -> Self {
+        let has = |features| gpu.device().features().contains(features);
+        Self {
+            wide: has(wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX),
+            subgroups: has(wgpu::Features::SUBGROUP) && gpu.subgroup() >= BATCH,
+            // A software adapter's subgroup is all that it does at once; a GPU wants some of them in flight.
+            rows: if gpu.software() { 16 } else { 2 },
+        }
+    }
+
+    /// The kernel of this variant, for an eye's image or for a light's.
+    pub(super) fn kernel(self, gpu: &Gpu, sources: &Sources, name: &str, eye: bool) -> Result<Kernel, Error> {
+        let mut sources = self.sources(sources);
+        for (is, what) in [(eye, "eye"), (eye && self.wide, "wide")] {
+            if is {
+                sources = sources.for_what(what);
+            }
+        }
+        Kernel::new(gpu, &sources, &format!("raster/{name}"))
+    }
+
+    /// `cut` for faces that cross a plane.
+    pub(super) fn torn(self, gpu: &Gpu, sources: &Sources) -> Result<Kernel, Error> {
+        Kernel::new(gpu, &self.sources(sources).for_what("torn"), "raster/cut")
+    }
+
+    fn sources(self, sources: &Sources) -> Sources {
+        let sources =
+            sources.clone().with_count("rows", self.rows).with_count("batch", BATCH).with_count("columns", 8);
+        if self.subgroups { sources.for_what("subgroups") } else { sources }
+    }
+}

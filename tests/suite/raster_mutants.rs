@@ -1,0 +1,45 @@
+//! Faults planted in the rasterizer's kernels are seen.
+
+use twinlight::gpu::GpuRaster;
+use twinlight::gpu::wgsl::Sources;
+
+use super::gpu;
+use super::raster_exact::{on_cpu, on_gpu, random_drawing, variants};
+
+/// Each by a comparison of depths and ids.
+#[test]
+fn planted_faults_are_seen() {
+    let faults = [
+        ("raster/plan", "a > 0 || (a == 0 && b > 0)", "a >= 0"),
+        ("raster/plan", "select(-1, 0, owned(a, b))", "0"),
+        ("raster/speck", "select(-1, 0, owned(a, b))", "0"),
+        ("raster/plan", "high < -4194304", "high < -20"),
+        ("raster/plan", "vec2i(127)", "vec2i(128)"),
+        ("raster/clip", "meet(next, here, plane)", "meet(here, next, plane)"),
+        ("raster/pixels", "(near == old.near) & (vec2u(id) > old.id)", "(near == old.near)"),
+        ("raster/pixels", "z += d.zy * STRIDE", "z += d.zx * STRIDE"),
+        ("raster/reach", "(min(r.a, vec3i(0)) + min(r.b, vec3i(0)))", "(max(r.a, vec3i(0)) + min(r.b, vec3i(0)))"),
+        ("raster/mark", "NONE - id", "id"),
+        ("raster/facet", "turn > 0", "turn < 0"),
+        ("raster/speck", "turn > 0", "turn < 0"),
+        ("raster/speck", "min(left.x, 7)", "min(left.x, 6)"),
+        ("raster/split", "u64(NONE - id)", "u64(id)"),
+        ("raster/cut", "row <= under.w", "row < under.w"),
+        ("raster/fill", "starts[list]", "starts[list ^ 1u]"),
+        ("raster/scan", "start + whole", "start"),
+        ("raster/snap", "c.w - c.z", "c.w"),
+    ];
+    let gpu = gpu();
+    for (file, right, wrong) in faults {
+        let text = Sources::default().get(file).expect("the file").into_owned();
+        assert!(text.contains(right), "{file} has no {right}");
+        let sources = Sources::default().with(file, text.replace(right, wrong));
+        let all = variants(&gpu).map(|v| GpuRaster::of(&gpu, &sources, &random_drawing(0), v).expect(file));
+        let seen = (0..200).any(|number| {
+            let drawing = random_drawing(number);
+            let kernels = &all[number as usize % all.len()];
+            on_gpu(kernels, &drawing, 1024).is_ok_and(|found| found != on_cpu(&drawing).1)
+        });
+        assert!(seen, "nobody sees {wrong} in {file}");
+    }
+}

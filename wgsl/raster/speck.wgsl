@@ -1,0 +1,95 @@
+// a face -> a triangle so small that 32 bits hold its edges, or what else becomes of it
+#import "raster/snap.wgsl"
+#import "raster/facet.wgsl"
+
+@group(0) @binding(1) var<uniform> part: Part;
+@group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(3) var<storage, read> faces: array<Face>;
+
+const NOTHING: u32 = 0u;
+const SMALL: u32 = 1u;
+// It is large.
+const LATE: u32 = 2u;
+// It crosses a plane.
+const TORN: u32 = 3u;
+
+struct Speck {
+    kind: u32,
+    // First and last pixel of its bounding box on the film; the plan is seen from the first.
+    first: vec2i,
+    last: vec2i,
+    plan: Plan,
+}
+
+// The edge from p to q, as seen from (0, 0) in 1/256 pixel: the same numbers as `edge`, while they are small.
+fn small_edge(p: vec2i, q: vec2i) -> vec3i {
+    let a = p.y - q.y;
+    let b = q.x - p.x;
+    return vec3i(a, b, (select(-1, 0, owned(a, b)) - (a * p.x + b * p.y)) >> 8u);
+}
+
+// One straight line without a branch: lavapipe runs both sides of each.
+fn speck(i: u32) -> Speck {
+    let ca = project(vertices[faces[i].a].position);
+    let cb = project(vertices[faces[i].b].position);
+    let cc = project(vertices[faces[i].c].position);
+    let p = ca.at;
+    let whole = span(p, cb.at, cc.at);
+    let bounds = on_film(whole);
+    let size = whole.zw - whole.xy;
+    let crosses = (ca.code | cb.code | cc.code) != 0u;
+    let on_film = bounds.x <= bounds.z && bounds.y <= bounds.w;
+    let large = max(size.x, size.y) >= i32(lens.small);
+
+    let u = cb.at.xy - p.xy;
+    let v = cc.at.xy - p.xy;
+    let turn = u.x * v.y - u.y * v.x;
+    let q = select(cb.at, cc.at, turn < 0);
+    let r = select(cc.at, cb.at, turn < 0);
+    let there = turn < 0 || (turn > 0 && !one_sided(faces[i].paint));
+    let center = bounds.xy * 256 + vec2i(128);
+    let pq = small_edge(p.xy - center, q.xy - center);
+    let qr = small_edge(q.xy - center, r.xy - center);
+    let rp = small_edge(r.xy - center, p.xy - center);
+    let depths = depths_of(p, q, r, f32(abs(turn)), bounds.xy);
+    let plan = Plan(vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), depths);
+
+    let small = select(NOTHING, SMALL, there && on_film);
+    let whole_kind = select(small, select(NOTHING, LATE, on_film), large);
+    let beyond = (ca.code & cb.code & cc.code) != 0u;
+    let kind = select(whole_kind, select(TORN, NOTHING, beyond), crosses);
+    return Speck(kind, bounds.xy, bounds.zw, plan);
+}
+
+// Which of 8 x 8 pixels are covered, the first of them so far from the speck's own: bit 8 * y + x, 32 in each word.
+fn covered(s: Speck, block: vec2i) -> vec2u {
+    var bits = vec2u(0u);
+    var row = s.plan.e + s.plan.a * block.x + s.plan.b * block.y;
+    let left = s.last - s.first - block;
+    let columns = (2u << u32(min(left.x, 7))) - 1u;
+    let last = min(left.y, 7);
+    for (var y = 0; y <= last; y++) {
+        var e = row;
+        row += s.plan.b;
+        var here = 0u;
+#repeat columns
+        here |= select(0u, 1u << $iu, (e.x | e.y | e.z) >= 0);
+        e += s.plan.a;
+#end
+        here = (here & columns) << u32((y & 3) * 8);
+        bits |= select(vec2u(0u, here), vec2u(here, 0u), y < 4);
+    }
+    return bits;
+}
+
+// The first of them, as (x, y).
+fn first_of(bits: vec2u) -> vec2i {
+    let low = bits.x != 0u;
+    let k = i32(firstTrailingBit(select(bits.y, bits.x, low)));
+    return vec2i(k & 7, (k >> 3u) + select(4, 0, low));
+}
+
+// All but the first.
+fn rest_of(bits: vec2u) -> vec2u {
+    return vec2u(bits.x & (bits.x - 1u), select(bits.y & (bits.y - 1u), bits.y, bits.x != 0u));
+}
