@@ -39,6 +39,14 @@ pub enum Error {
     /// A rectangle that is not within the picture.
     #[error("the part lies outside the picture, which has {}x{} pixels", .0[0], .0[1])]
     Outside([u32; 2]),
+    /// More faces than there is memory for.
+    #[error("the scene's faces and pictures need about {needed} MiB, and {most} MiB of memory may be taken")]
+    Memory {
+        /// MiB.
+        needed: u64,
+        /// MiB.
+        most: u64,
+    },
     /// Samples that cannot be made alone; how many there are.
     #[error("{}", no_samples(*.0))]
     Samples(u32),

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 
 use crate::film::Transfer;
 use crate::math::vector::unit;
@@ -89,7 +90,8 @@ impl Sheet {
                     transfer.encode(sum * 0.25)
                 })
             };
-            let next = (0..high).flat_map(|y| (0..wide).map(move |x| (x, y))).map(|(x, y)| mean(2 * x, 2 * y));
+            // Half of the time that a frame of a turntable takes on the host, if it is done on one core.
+            let next = (0..wide * high).into_par_iter().map(|i| mean(i % wide * 2, i / wide * 2));
             level = next.collect();
             (width, height) = (wide, high);
             levels += 1;

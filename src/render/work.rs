@@ -16,7 +16,7 @@ use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
 use crate::prepare::lens::LONGEST_SIDE;
 use crate::prepare::{draw, prepare};
 use crate::raster;
-use crate::scene::{Maps, Method, Scene};
+use crate::scene::{Maps, Method, Reach, Scene};
 use crate::tables::{Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables};
 use crate::trace::{self, BLOCK, Part};
 
@@ -47,12 +47,42 @@ impl std::fmt::Display for Digest {
     }
 }
 
+/// About as many bytes as the tables of a scene take while they are made.
+fn bytes(scene: &Scene, method: Method) -> u64 {
+    let count = |count: usize| count as u64;
+    let faces: u64 = scene.meshes.iter().map(|mesh| count(mesh.model.triangles.len())).sum();
+    // A sphere is some thousands of faces where it is drawn.
+    let each = if method == Method::Raster { 9216 } else { 1 };
+    let faces = faces + count(scene.spheres.len()) * each + count(scene.planes.len() + scene.triangles.len());
+    let texels: u64 =
+        scene.meshes.iter().flat_map(|mesh| &mesh.model.textures).map(|t| count(t.texels.len())).sum();
+    let texels = texels + scene.textures.iter().map(|t| count(t.texels.len())).sum::<u64>();
+    faces * FACE + if method == Method::Raster { texels * 16 } else { 0 }
+}
+
+/// Bytes of a face with its corners, and with its share of the tree or of the lists that corners are looked up in.
+const FACE: u64 = 256;
+
 impl Work {
     /// Makes a scene ready.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] if the rasterizer cannot reach across the film.
+    /// [`Error::TooLarge`] if the rasterizer cannot reach across the film, [`Error::Memory`] if there are more faces
+    /// than this machine's memory holds.
     pub fn new(scene: &Scene, method: Method) -> Result<Self, Error> {
+        Self::within(scene, method, &Reach::default())
+    }
+
+    /// Makes a scene ready with no more memory than may be taken.
+    ///
+    /// # Errors
+    /// As [`Work::new`].
+    pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
+        // Counted before it is taken: a file of a few lines may place a model a million times.
+        let (needed, most) = (bytes(scene, method), reach.most());
+        if needed > most {
+            return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
+        }
         let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
         let mut notes: Vec<_> = warnings.map(ToString::to_string).collect();
         let [width, height] = scene.film.size;

@@ -208,14 +208,7 @@ pub(super) fn fits(size: [u32; 2], reach: &Reach) -> Result<(), Error> {
     const MIB: u64 = 1 << 20;
     let pixels = u64::from(size[0]) * u64::from(size[1]);
     let needed = Film::bytes(size[0], size[1]);
-    let most = reach.memory.unwrap_or_else(|| {
-        let has = sysinfo::System::new().map_or(0, |mut system| {
-            system.refresh_memory();
-            system.total_memory()
-        });
-        // A machine that will not tell its memory is trusted.
-        if has > 0 { has / 10 * 6 } else { u64::MAX }
-    });
+    let most = reach.most();
     // Pixels are counted in 32 bits.
     if pixels >= 1 << 30 || needed > most {
         return Err(Error::Memory { size, needed: needed.div_ceil(MIB), most: most / MIB });

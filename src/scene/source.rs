@@ -31,7 +31,8 @@ pub(super) const SET: &str = "--set";
 pub struct Reach {
     /// Folders beside the scene's own in which its models and pictures may lie.
     pub search: Vec<PathBuf>,
-    /// Bytes of memory for the film, and for each model; without it 60 % of this machine's, and 8 GiB.
+    /// Bytes of memory for the film, for all faces, and for each model; without it 60 % of this machine's, and at most
+    /// 8 GiB for a model.
     pub memory: Option<u64>,
 }
 
@@ -40,6 +41,18 @@ impl Reach {
     pub(super) fn folder(&self, scene: &Path) -> Result<Confined, Refusal> {
         let (own, _) = Confined::around(scene)?;
         self.search.iter().try_fold(own, |folders, more| folders.and(more))
+    }
+
+    /// Bytes that may be taken: what is said, or 60 % of this machine's; a machine that will not tell is trusted.
+    #[must_use]
+    pub fn most(&self) -> u64 {
+        self.memory.unwrap_or_else(|| {
+            let has = sysinfo::System::new().map_or(0, |mut system| {
+                system.refresh_memory();
+                system.total_memory()
+            });
+            if has > 0 { has / 10 * 6 } else { u64::MAX }
+        })
     }
 
     /// How much a model may ask for.

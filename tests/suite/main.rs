@@ -15,6 +15,7 @@ mod few;
 mod frames;
 mod fuzz;
 mod golden;
+mod hostile;
 mod layout;
 mod loops;
 mod maps;

@@ -37,7 +37,7 @@ struct Ready {
 impl Call<'_> {
     fn ready(&self, picture: &Picture, frame: i64) -> Result<Ready, Failure> {
         let (scene, method) = self.arguments.job.scene(&self.sources[picture.scene], frame)?;
-        let work = Work::new(&scene, method)?;
+        let work = Work::within(&scene, method, &self.arguments.job.input.reach())?;
         let work = match &self.arguments.crop {
             Some([columns, rows]) => work.crop(columns.clone(), rows.clone())?,
             None => work,

@@ -42,7 +42,7 @@ impl Failure {
             Self::Scene(SceneError::Text(complaint)) if complaint.of_command_line() => 2,
             Self::Scene(SceneError::Memory { .. })
             | Self::Gpu(gpu::Error::NoRoom { .. })
-            | Self::Render(render::Error::Gpu(gpu::Error::NoRoom { .. })) => 6,
+            | Self::Render(render::Error::Memory { .. } | render::Error::Gpu(gpu::Error::NoRoom { .. })) => 6,
             Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Usage(_)
             | Self::Sizes(_)
@@ -61,7 +61,12 @@ impl Failure {
         matches!(
             self,
             Self::Scene(_)
-                | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_) | render::Error::Samples(_))
+                | Self::Render(
+                    render::Error::TooLarge(_)
+                        | render::Error::Outside(_)
+                        | render::Error::Samples(_)
+                        | render::Error::Memory { .. }
+                )
         )
     }
 }

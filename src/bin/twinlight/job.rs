@@ -19,7 +19,7 @@ pub(crate) struct Input {
     /// Another folder in which the scene's models and pictures may lie; nothing is read from elsewhere.
     #[arg(long = "search-path", value_name = "FOLDER")]
     search: Vec<PathBuf>,
-    /// Memory that the film, and each model, may take, as 512M or 4G [default: 60 % of this machine's].
+    /// Memory that the film, all faces, and each model may take, as 512M or 4G [default: 60 % of this machine's].
     #[arg(long, value_name = "BYTES", value_parser = bytes)]
     max_memory: Option<u64>,
 }
@@ -30,7 +30,7 @@ impl Input {
         Ok(Source::open(scene, &self.sets, &self.reach())?)
     }
 
-    fn reach(&self) -> Reach {
+    pub(crate) fn reach(&self) -> Reach {
         Reach { search: self.search.clone(), memory: self.max_memory }
     }
 }
