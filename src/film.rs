@@ -12,7 +12,7 @@ mod transfer;
 mod watch;
 
 pub use moving::Moving;
-pub use save::{Error, Format, replace, write_whole};
+pub use save::{Error, Format, folder_of, replace, sweep, write_whole};
 pub use stamp::stamp_of;
 pub use transfer::{Transfer, decode_hex};
 pub use watch::{Run, Watch};

@@ -2,6 +2,7 @@
 
 use std::io::{Cursor, Write as _};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use image::{ImageFormat, RgbImage};
 
@@ -116,16 +117,36 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     try_replace(path, bytes).map_err(|source| Error::Write { path: path.to_owned(), source })
 }
 
+/// The folder that a file is in.
+#[must_use]
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+const PREFIX: &str = ".twinlight-";
+const SUFFIX: &str = ".part";
+/// A file is written within seconds; one that is this old has lost its process.
+const OLD: Duration = Duration::from_hours(1);
+
+/// Removes from a folder what processes have left there that were killed while they wrote.
+pub fn sweep(folder: &Path) {
+    for entry in folder.read_dir().into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let ours = name.to_str().is_some_and(|name| name.starts_with(PREFIX) && name.ends_with(SUFFIX));
+        let old = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
+        if ours && old().is_some_and(|age| age > OLD) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
 fn try_replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     if path.is_dir() {
         return Err(std::io::Error::other("a folder has this name"));
     }
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".twinlight-").suffix(".part");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     #[cfg(unix)]
     {
         // As an ordinary new file would get it: what the umask leaves of this.

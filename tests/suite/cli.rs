@@ -118,7 +118,17 @@ fn a_picture_is_written_whole_or_not_at_all() {
     }
     let left: Vec<_> = std::fs::read_dir(folder.path()).expect("the folder").collect();
     assert_eq!(left.len(), 1, "nothing is left behind: {left:?}");
+    let hours = std::time::SystemTime::now() - std::time::Duration::from_hours(2);
+    for (name, old) in [(".twinlight-a.part", true), (".twinlight-b.part", false), ("mine.part", true)] {
+        let file = std::fs::File::create(folder.path().join(name)).expect("a file");
+        if old {
+            file.set_modified(hours).expect("a time");
+        }
+    }
     assert_eq!(render(folder.path(), &["--backend", "cpu", "-o", "old.png"]).status.code(), Some(0));
+    let left =
+        [".twinlight-a.part", ".twinlight-b.part", "mine.part"].map(|name| folder.path().join(name).exists());
+    assert_eq!(left, [false, true, true], "what a process left that was killed is swept away, and nothing else");
     assert!(image::open(&old).is_ok(), "and where there is room the new picture replaces it");
 }
 

@@ -1,5 +1,6 @@
 //! a call's pictures, one after the other -> films on their way to files
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -113,6 +114,8 @@ impl Call<'_> {
     pub(crate) fn make_all(&self, pictures: &[Picture], fail: &mut dyn FnMut(Failure)) -> Result<(), Failure> {
         let arguments = self.arguments;
         let mut renderer = Renderer::open(arguments.backend, &arguments.job.wanted())?;
+        let folders: BTreeSet<_> = pictures.iter().filter_map(|p| p.file.as_deref()).map(film::folder_of).collect();
+        folders.into_iter().for_each(film::sweep);
         let mut progress = Progress::new(arguments.progress, pictures.len());
         let writer = Writer::new(arguments.json, progress.bar());
         let mut left: Vec<usize> = (0..pictures.len()).collect();
