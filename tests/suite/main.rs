@@ -31,6 +31,7 @@ mod raster_shrink;
 mod schema;
 mod stages;
 mod tidy;
+mod watertight;
 mod wrong;
 
 use std::convert::Infallible;

@@ -9,6 +9,14 @@ struct Surface {
     point: vec3f,
     normal: vec3f,
     material: Material,
+    // How far off the point rays start: triangles have neighbors, of which some are off by rounding.
+    margin: f32,
+}
+
+// Where a ray starts that goes on this way.
+fn start_of(surface: Surface, way: vec3f) -> vec3f {
+    let off = surface.normal * select(surface.margin, -surface.margin, dot(way, surface.normal) < 0.0);
+    return select(surface.point, surface.point + off, surface.margin > 0.0);
 }
 
 // The point is put back onto the primitive, so that its error does not grow with the ray's length.
@@ -17,6 +25,7 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
     let leaf = leaves[hit];
     var point = along;
     var normal = vec3f(0.0);
+    var margin = 0.0;
     if (leaf.kind == SPHERE) {
         normal = unit(along - leaf.a);
         point = leaf.a + normal * leaf.b.x;
@@ -26,9 +35,12 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
     } else {
         normal = unit(cross(leaf.b - leaf.a, leaf.c - leaf.a));
         point = along - normal * dot(normal, along - leaf.a);
+        // 16 units in the last place of the largest coordinate.
+        let size = max(abs(leaf.a), max(abs(leaf.b), abs(leaf.c)));
+        margin = max(size.x, max(size.y, size.z)) * 9.536743e-7;
     }
     if (dot(normal, ray.direction) > 0.0) {
         normal = -normal;
     }
-    return Surface(point, normal, materials[leaf.material]);
+    return Surface(point, normal, materials[leaf.material], margin);
 }

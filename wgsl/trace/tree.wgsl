@@ -78,10 +78,10 @@ fn go_on(path: ptr<function, Path>, i: u32, surface: Surface) {
         return;
     }
     if (largest(ways.light.weight) > settings.cutoff) {
-        put_aside(path, i, surface.point, (*path).hit, ways.light, (*path).depth + 1u);
+        put_aside(path, i, start_of(surface, ways.light.direction), (*path).hit, ways.light, (*path).depth + 1u);
     }
     if (largest(ways.heavy.weight) > settings.cutoff) {
-        take(path, surface.point, ways.heavy, (*path).depth + 1u, (*path).hit);
+        take(path, start_of(surface, ways.heavy.direction), ways.heavy, (*path).depth + 1u, (*path).hit);
     } else {
         turn_back(path, i);
     }
@@ -97,8 +97,10 @@ struct Lit {
 
 fn lit(path: ptr<function, Path>, surface: Surface, source: Light) -> Lit {
     let point_light = source.kind == POINT;
-    let toward = select(source.place, source.place - surface.point, point_light);
-    let shadow = Ray(surface.point, toward, (*path).hit);
+    // A light behind the surface is not asked: the ray starts before it.
+    let origin = start_of(surface, surface.normal);
+    let toward = select(source.place, source.place - origin, point_light);
+    let shadow = Ray(origin, toward, (*path).hit);
     let l = unit(toward);
     if (!(dot(l, surface.normal) > 0.0)) {
         return Lit(vec3f(0.0), shadow, 0.0);

@@ -15,6 +15,19 @@ pub struct Surface {
     pub normal: Vec3,
     /// What it is made of.
     pub material: Material,
+    /// How far off the point rays start: triangles have neighbors, of which some are off by rounding.
+    pub margin: f32,
+}
+
+/// Where a ray starts that goes on this way.
+#[must_use]
+pub fn start_of(surface: &Surface, way: Vec3) -> Vec3 {
+    if surface.margin > 0.0 {
+        let margin = if way.dot(surface.normal) < 0.0 { -surface.margin } else { surface.margin };
+        surface.point + surface.normal * margin
+    } else {
+        surface.point
+    }
 }
 
 /// The point is put back onto the primitive, so that its error does not grow with the ray's length.
@@ -22,19 +35,22 @@ pub struct Surface {
 pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
     let along = ray.origin + ray.direction * t;
     let leaf = &tables.leaves[hit as usize];
-    let (point, mut normal) = match leaf.kind {
+    let (point, mut normal, margin) = match leaf.kind {
         SPHERE => {
             let normal = unit(along - leaf.a);
-            (leaf.a + normal * leaf.b.x, normal)
+            (leaf.a + normal * leaf.b.x, normal, 0.0)
         }
-        PLANE => (along - leaf.b * leaf.b.dot(along - leaf.a), leaf.b),
+        PLANE => (along - leaf.b * leaf.b.dot(along - leaf.a), leaf.b, 0.0),
         _ => {
             let normal = unit((leaf.b - leaf.a).cross(leaf.c - leaf.a));
-            (along - normal * normal.dot(along - leaf.a), normal)
+            // 16 units in the last place of the largest coordinate.
+            let size = leaf.a.abs().max(leaf.b.abs().max(leaf.c.abs()));
+            let margin = size.x.max(size.y.max(size.z)) * 9.536743e-7;
+            (along - normal * normal.dot(along - leaf.a), normal, margin)
         }
     };
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;
     }
-    Surface { point, normal, material: tables.materials[leaf.material as usize] }
+    Surface { point, normal, material: tables.materials[leaf.material as usize], margin }
 }

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use crate::cpu::shade::phong::phong;
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::scatter::{Branch, scatter};
-use crate::cpu::trace::surface::Surface;
+use crate::cpu::trace::surface::{Surface, start_of};
 use crate::math::random::{pcg4d, unit_float};
 use crate::math::vector::{largest, unit};
 use crate::tables::{DONE, FAR, Light, NONE, POINT, Path, SEEK, STACK_FULL, Slice, Status, Tables, Waiting};
@@ -67,7 +67,7 @@ pub fn go_on(
             status.flags |= STACK_FULL;
         } else {
             waiting[path.waiting as usize] = Waiting {
-                origin: surface.point,
+                origin: start_of(surface, light.direction),
                 leaves: path.hit,
                 direction: light.direction,
                 depth: path.depth + 1,
@@ -78,7 +78,7 @@ pub fn go_on(
         }
     }
     if largest(heavy.weight) > settings.cutoff {
-        take(path, surface.point, heavy, path.depth + 1, path.hit);
+        take(path, start_of(surface, heavy.direction), heavy, path.depth + 1, path.hit);
     } else {
         turn_back(path, waiting);
     }
@@ -99,8 +99,10 @@ pub struct Lit {
 #[must_use]
 pub fn lit(tables: &Tables, path: &Path, surface: &Surface, source: &Light) -> Lit {
     let point_light = source.kind == POINT;
-    let toward = if point_light { source.place - surface.point } else { source.place };
-    let shadow = Ray { origin: surface.point, direction: toward, leaves: path.hit };
+    // A light behind the surface is not asked: the ray starts before it.
+    let origin = start_of(surface, surface.normal);
+    let toward = if point_light { source.place - origin } else { source.place };
+    let shadow = Ray { origin, direction: toward, leaves: path.hit };
     let l = unit(toward);
     // A comparison that a light in the very point fails too: its direction is not a number.
     let lights = l.dot(surface.normal) > 0.0;

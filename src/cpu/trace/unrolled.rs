@@ -53,5 +53,5 @@ pub fn surface_of(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;
     }
-    Surface { point, normal, material: tables.materials[material as usize] }
+    Surface { point, normal, material: tables.materials[material as usize], margin: 0.0 }
 }
