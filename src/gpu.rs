@@ -5,6 +5,7 @@ mod error;
 mod kernel;
 mod pace;
 mod raster;
+mod texels;
 mod trace;
 pub mod wgsl;
 
@@ -12,6 +13,7 @@ pub use buffer::Buffer;
 pub use error::Error;
 pub use kernel::{Binding, Kernel, parse};
 pub use raster::{GpuImage, GpuRaster, Room, Variant};
+pub use texels::Texels;
 pub use trace::{GpuPaths, GpuTrace};
 
 use std::collections::HashMap;

@@ -78,14 +78,14 @@ impl<'a> OnGpu<'a> {
     fn pass(&self, rays: &[Asked]) -> Pass {
         let gpu = self.gpu;
         let settings = gpu.uniform("settings", &self.tables.settings).expect("room");
-        let nodes = gpu.upload("nodes", &self.tables.nodes).expect("room");
-        let leaves = gpu.upload("leaves", &self.tables.leaves).expect("room");
+        let nodes = gpu.texels("nodes", &self.tables.nodes).expect("room");
+        let leaves = gpu.texels("leaves", &self.tables.leaves).expect("room");
         let asked = gpu.upload("asked", rays).expect("room");
         let met = gpu.zeroed::<[u32; 4]>("met", rays.len()).expect("room");
         let bindings = [
             Binding::new("settings", &settings),
-            Binding::new("nodes", &nodes),
-            Binding::new("leaves", &leaves),
+            Binding::texels("nodes", &nodes),
+            Binding::texels("leaves", &leaves),
             Binding::new("asked", &asked),
             Binding::new("met", &met),
         ];

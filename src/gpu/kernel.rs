@@ -8,7 +8,7 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, TypeInner};
 
 use super::wgsl::{Joined, Sources, join};
-use super::{Buffer, Error, Gpu};
+use super::{Buffer, Error, Gpu, Texels};
 
 /// What variants of kernels may ask for; the device says no where it has not.
 const CAPABILITIES: Capabilities =
@@ -16,15 +16,25 @@ const CAPABILITIES: Capabilities =
 /// More workgroups than this in one dimension are not valid, so larger numbers are folded into two.
 const MOST_GROUPS: u32 = 65_535;
 
+/// Bytes of a texel: four words.
+const TEXEL: u32 = 16;
+
 /// A WGSL variable that a buffer is bound to.
 #[derive(Debug, Clone)]
 struct Slot {
     name: String,
     binding: u32,
-    uniform: bool,
-    read_only: bool,
+    space: Space,
     /// Bytes of an array's element or of the struct.
     element: u32,
+}
+
+/// How a kernel reads a variable.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Space {
+    Uniform,
+    Storage { read_only: bool },
+    Texture,
 }
 
 /// A compute pipeline made of one file of `wgsl/`.
@@ -37,11 +47,17 @@ pub struct Kernel {
     group: u32,
 }
 
-/// A buffer under the name of the WGSL variable that reads it.
+#[derive(Debug, Clone, Copy)]
+enum Raw<'a> {
+    Buffer(&'a wgpu::Buffer),
+    Texture(&'a wgpu::TextureView),
+}
+
+/// A buffer or a texture under the name of the WGSL variable that reads it.
 #[derive(Debug, Clone, Copy)]
 pub struct Binding<'a> {
     name: &'a str,
-    raw: &'a wgpu::Buffer,
+    raw: Raw<'a>,
     element: u32,
 }
 
@@ -49,7 +65,13 @@ impl<'a> Binding<'a> {
     /// Binds `buffer` to the variable `name`.
     #[must_use]
     pub fn new<T: Pod>(name: &'a str, buffer: &'a Buffer<T>) -> Self {
-        Self { name, raw: &buffer.raw, element: size_of::<T>() as u32 }
+        Self { name, raw: Raw::Buffer(&buffer.raw), element: size_of::<T>() as u32 }
+    }
+
+    /// Binds a table to the texture `name`.
+    #[must_use]
+    pub fn texels(name: &'a str, texels: &'a Texels) -> Self {
+        Self { name, raw: Raw::Texture(&texels.view), element: TEXEL }
     }
 
     /// The same buffer as elements of so many bytes.
@@ -185,7 +207,11 @@ impl Kernel {
                 let why = format!("its elements are {} bytes, and {} are bound", slot.element, bound.element);
                 return Err(wrong(&slot.name, why));
             }
-            entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource: bound.raw.as_entire_binding() });
+            let resource = match bound.raw {
+                Raw::Buffer(buffer) => buffer.as_entire_binding(),
+                Raw::Texture(view) => wgpu::BindingResource::TextureView(view),
+            };
+            entries.push(wgpu::BindGroupEntry { binding: slot.binding, resource });
         }
         let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some(&self.name),
@@ -215,27 +241,31 @@ fn slots(module: &Module, info: &ModuleInfo) -> Vec<Slot> {
         .map(|(v, binding)| {
             let element = match module.types[v.ty].inner {
                 TypeInner::Array { stride, .. } => stride,
+                TypeInner::Image { .. } => TEXEL,
                 _ => layouter[v.ty].size,
             };
-            let (uniform, read_only) = match v.space {
-                AddressSpace::Storage { access } => (false, !access.contains(StorageAccess::STORE)),
-                _ => (true, true),
+            let space = match v.space {
+                AddressSpace::Storage { access } => {
+                    Space::Storage { read_only: !access.contains(StorageAccess::STORE) }
+                }
+                AddressSpace::Handle => Space::Texture,
+                _ => Space::Uniform,
             };
-            Slot { name: v.name.clone().unwrap_or_default(), binding: binding.binding, uniform, read_only, element }
+            Slot { name: v.name.clone().unwrap_or_default(), binding: binding.binding, space, element }
         })
         .collect()
 }
 
 fn layout_entry(slot: &Slot) -> wgpu::BindGroupLayoutEntry {
-    let ty = if slot.uniform {
-        wgpu::BufferBindingType::Uniform
-    } else {
-        wgpu::BufferBindingType::Storage { read_only: slot.read_only }
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let ty = match slot.space {
+        Space::Uniform => buffer(wgpu::BufferBindingType::Uniform),
+        Space::Storage { read_only } => buffer(wgpu::BufferBindingType::Storage { read_only }),
+        Space::Texture => wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
     };
-    wgpu::BindGroupLayoutEntry {
-        binding: slot.binding,
-        visibility: wgpu::ShaderStages::COMPUTE,
-        ty: wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
-        count: None,
-    }
+    wgpu::BindGroupLayoutEntry { binding: slot.binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
 }

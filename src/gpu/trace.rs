@@ -7,10 +7,10 @@ use bytemuck::Zeroable as _;
 
 use super::pace::Pace;
 use super::wgsl::Sources;
-use super::{Binding, Buffer, Error, Gpu, Kernel};
+use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::tables::{
-    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Leaf, Light, Material, Node, Path, STACK_FULL, Settings, Slice, Status,
-    Tables, View, Waiting,
+    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables,
+    View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -31,8 +31,8 @@ pub struct GpuTrace<'a> {
     samples: u32,
     view: Buffer<View>,
     settings: Buffer<Settings>,
-    nodes: Buffer<Node>,
-    leaves: Buffer<Leaf>,
+    nodes: Texels,
+    leaves: Texels,
     materials: Buffer<Material>,
     lights: Buffer<Light>,
     scene: Buffer<Few>,
@@ -94,8 +94,8 @@ impl<'a> GpuTrace<'a> {
             samples: tables.samples,
             view: gpu.uniform("view", &tables.view)?,
             settings: gpu.uniform("settings", &tables.settings)?,
-            nodes: gpu.upload("nodes", &tables.nodes)?,
-            leaves: gpu.upload("leaves", &tables.leaves)?,
+            nodes: gpu.texels("nodes", &tables.nodes)?,
+            leaves: gpu.texels("leaves", &tables.leaves)?,
             materials: gpu.upload("materials", &tables.materials)?,
             lights: gpu.upload("lights", &tables.lights)?,
             scene: gpu.uniform("scene", &tables.scene())?,
@@ -216,8 +216,8 @@ impl Trace for GpuTrace<'_> {
         self.record(slice, |this, encoder| {
             let bindings = [
                 Binding::new("settings", &this.settings),
-                Binding::new("nodes", &this.nodes),
-                Binding::new("leaves", &this.leaves),
+                Binding::texels("nodes", &this.nodes),
+                Binding::texels("leaves", &this.leaves),
                 Binding::new("walks", &paths.walks),
                 Binding::new("materials", &this.materials),
                 Binding::new("lights", &this.lights),

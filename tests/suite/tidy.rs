@@ -100,6 +100,8 @@ fn kernels_keep_to_webgpus_default_limits() {
         let storage = module.global_variables.iter().filter(|(handle, _)| !used[*handle].is_empty());
         let storage = storage.filter(|(_, v)| matches!(v.space, AddressSpace::Storage { .. })).count();
         assert!(storage <= 8, "{name} binds {storage} storage buffers");
+        let textures = module.global_variables.iter().filter(|(_, v)| v.space == AddressSpace::Handle).count();
+        assert!(textures <= 16, "{name} binds {textures} textures");
         let shared = module.global_variables.iter().filter(|(_, v)| v.space == AddressSpace::WorkGroup);
         let bytes: u32 = shared.map(|(_, v)| module.types[v.ty].inner.size(module.to_ctx())).sum();
         assert!(bytes <= 16 << 10, "{name} takes {bytes} bytes of workgroup memory");

@@ -64,7 +64,7 @@ fn follow(path: ptr<function, Path>, i: u32) {
         (*path).next = 0u;
         if (own) {
             if ((*path).rays == 0u && found.hit != NONE) {
-                (*path).seen = leaves[found.hit].id;
+                (*path).seen = leaf_at(found.hit).id;
             }
             if (found.hit == NONE) {
                 (*path).radiance += (*path).weight * settings.background;

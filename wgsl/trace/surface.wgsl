@@ -22,7 +22,7 @@ fn start_of(surface: Surface, way: vec3f) -> vec3f {
 // The point is put back onto the primitive, so that its error does not grow with the ray's length.
 fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
     let along = ray.origin + ray.direction * t;
-    let leaf = leaves[hit];
+    let leaf = leaf_at(hit);
     var point = along;
     var normal = vec3f(0.0);
     var margin = 0.0;

@@ -8,9 +8,30 @@
 #import "trace/boxes.wgsl"
 
 @group(0) @binding(0) var<uniform> settings: Settings;
-@group(0) @binding(1) var<storage, read> nodes: array<Node>;
+// Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
+@group(0) @binding(1) var nodes: texture_2d<u32>;
 // Planes, then the others in the order of the tree.
-@group(0) @binding(2) var<storage, read> leaves: array<Leaf>;
+@group(0) @binding(2) var leaves: texture_2d<u32>;
+
+fn texel(table: texture_2d<u32>, i: u32) -> vec4u {
+    return textureLoad(table, vec2u(i & 4095u, i >> 12u), 0);
+}
+
+fn node_at(i: u32) -> Node {
+    let a = texel(nodes, i * 5u);
+    let b = texel(nodes, i * 5u + 1u);
+    let c = texel(nodes, i * 5u + 2u);
+    let d = texel(nodes, i * 5u + 3u);
+    let e = texel(nodes, i * 5u + 4u);
+    return Node(bitcast<vec3f>(a.xyz), a.w, b.x, b.y, b.zw, c.xy, c.zw, d.xy, d.zw, e.xy, e.zw);
+}
+
+fn leaf_at(i: u32) -> Leaf {
+    let a = texel(leaves, i * 3u);
+    let b = texel(leaves, i * 3u + 1u);
+    let c = texel(leaves, i * 3u + 2u);
+    return Leaf(bitcast<vec3f>(a.xyz), a.w, bitcast<vec3f>(b.xyz), b.w, bitcast<vec3f>(c.xyz), c.w);
+}
 
 // Nodes on the longest way from the root down.
 const DEEP: u32 = $deep;
@@ -55,7 +76,8 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     var walk = start;
     while (walk.next < settings.planes && walk.turns < most && !(any && walk.hit != NONE)) {
         let i = walk.next;
-        let t = meet_plane(ray, Plane(leaves[i].a, 0u, leaves[i].b, 0u));
+        let leaf = leaf_at(i);
+        let t = meet_plane(ray, Plane(leaf.a, 0u, leaf.b, 0u));
         if (t < walk.t && ray.leaves != i) {
             walk.t = t;
             walk.hit = i;
@@ -75,7 +97,7 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     // The number of the hit; nothing wins a tie against the reach of a ray.
     var id = 0u;
     if (walk.hit != NONE) {
-        id = leaves[walk.hit].id;
+        id = leaf_at(walk.hit).id;
     }
     // What of the stack is in hand; the root is the only child of nothing.
     var group = vec2u(0u, select(0u, 0x80000000u, walk.next == settings.planes));
@@ -96,7 +118,7 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
             }
         }
         let before = (1u << ((bit - 24u) ^ aim.octant)) - 1u;
-        let node = nodes[group.x + countOneBits(group.y & before)];
+        let node = node_at(group.x + countOneBits(group.y & before));
         var met = boxes_met(node, ray, aim, walk.t);
         group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
         met &= ~NODES;
@@ -104,7 +126,7 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
         while (met != 0u && !(any && walk.hit != NONE)) {
             let i = node.leaves + firstTrailingBit(met);
             met &= met - 1u;
-            let leaf = leaves[i];
+            let leaf = leaf_at(i);
             let t = meet(ray, aim, per_length_squared, leaf, i);
             let nearer = t < walk.t || (t == walk.t && leaf.id < id);
             walk.t = select(walk.t, t, nearer);
