@@ -192,7 +192,10 @@ impl Call<'_> {
                 eye.ledger = claim.file().and_then(|file| Ledger::open(file, &subject)).ok();
             }
             let made = renderer.make(&ready.work, &mut eye);
-            eye.flush();
+            // Of a frame that is whole nothing needs to be kept, and its picture needs the room.
+            if made.is_err() {
+                eye.flush();
+            }
             let rendered = made.map_err(|error| self.stopped(error))?;
             let layers = renderer.layers(&ready.work, &rendered.film, &self.arguments.passes, &mut eye);
             let layers = layers.map_err(|error| self.stopped(error))?;
