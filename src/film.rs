@@ -17,8 +17,6 @@ pub use stamp::stamp_of;
 pub use transfer::{Transfer, decode_hex};
 pub use watch::{Run, Watch};
 
-use std::ops::Range;
-
 use glam::Vec3;
 
 /// Linear sums of samples and the id of what is seen first, row by row from the top left.
@@ -74,22 +72,15 @@ impl Film {
         self.ids[first..first + ids.len()].copy_from_slice(ids);
     }
 
-    /// A rectangle of it.
+    /// Lays a finished rectangle onto the film, its first pixel at this column and row.
     ///
     /// # Panics
-    /// If it reaches past an edge.
-    #[must_use]
-    pub fn cut(self, columns: Range<u32>, rows: Range<u32>) -> Self {
-        if columns.len() as u32 == self.width && rows.len() as u32 == self.height {
-            return self;
+    /// If it reaches past an edge, or is not a rectangle.
+    pub fn lay(&mut self, [column, row]: [u32; 2], width: u32, sums: &[[f32; 4]], ids: &[u32]) {
+        let rows = sums.chunks_exact(width as usize).zip(ids.chunks_exact(width as usize));
+        for ((sums, ids), row) in rows.zip(row..) {
+            self.put(row * self.width + column, sums, ids);
         }
-        let mut film = Self::new(columns.len() as u32, rows.len() as u32);
-        for (row, to) in rows.zip(0..) {
-            let from = (row * self.width + columns.start) as usize;
-            let run = from..from + columns.len();
-            film.put(to * film.width, &self.sums[run.clone()], &self.ids[run]);
-        }
-        film
     }
 
     /// The mean of a pixel's samples, linear; black where there is none.

@@ -5,6 +5,7 @@ mod draw;
 mod leaves;
 pub mod lens;
 mod mesh;
+mod window;
 
 pub use draw::draw;
 

@@ -5,13 +5,17 @@
 //! each sample: split -> cut -> count -> scan -> fill -> cover -> mark -> shade -> Film
 //! ```
 //!
+//! Instead of shade, crowd -> heat show how much each tile has to do (`--show tiles`).
+//!
 //! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in
 //! integers and by a maximum, so neither the order of the work nor its division can show in the picture: small faces
 //! are drawn by one invocation each, and never enter a list; all others become pieces, which are sorted into tiles that
 //! a workgroup owns.
 
+use std::ops::Range;
+
 use crate::film::{Film, Watch};
-use crate::tables::{Drawing, Lens};
+use crate::tables::{Drawing, Lens, SHOW_TILES};
 
 /// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
 pub type Drawn = (Vec<[f32; 4]>, Vec<u32>);
@@ -93,11 +97,23 @@ pub trait Raster {
     /// If the stage cannot be done.
     fn shade(&mut self, lens: &Lens, image: &Self::Image, shadows: &Self::Image) -> Result<(), Self::Error>;
 
-    /// The sums, and the ids of an image, in host memory.
+    /// small faces -> how many of them each tile has, beside those of its lists
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn crowd(&mut self, lens: &Lens) -> Result<(), Self::Error>;
+
+    /// how many faces each tile has -> the color of its pixels, added to the film's sums
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn heat(&mut self, lens: &Lens) -> Result<(), Self::Error>;
+
+    /// The sums of what a lens sees, and the ids of its image, in host memory; the sums begin anew.
     ///
     /// # Errors
     /// If they cannot be read back, or are not whole.
-    fn end(&mut self, image: &Self::Image) -> Result<Drawn, Self::Error>;
+    fn end(&mut self, lens: &Lens, image: &Self::Image) -> Result<Drawn, Self::Error>;
 }
 
 /// What a lens sees: the stages that both passes share.
@@ -123,13 +139,28 @@ pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Res
 /// # Errors
 /// The backend's.
 pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch) -> Result<Film, R::Error> {
-    let passes = (drawing.lenses.len() + drawing.eyes.len()) as f64;
+    part(stages, drawing, &drawing.film().map(|side| 0..side), watch)
+}
+
+/// A rectangle of a frame, window by window. No window shows: each pixel is decided by the same numbers in all of them.
+///
+/// # Errors
+/// The backend's.
+pub fn part<R: Raster>(
+    stages: &mut R,
+    drawing: &Drawing,
+    rectangle: &[Range<u32>; 2],
+    watch: &mut dyn Watch,
+) -> Result<Film, R::Error> {
+    let windows = drawing.windows(rectangle);
+    let passes = (drawing.lenses.len() + windows.iter().map(Vec::len).sum::<usize>()) as f64;
     let mut done = 0.0;
     let mut step = |done: &mut f64| {
         *done += 1.0;
         watch.done(*done / passes)
     };
-    let mut film = Film::new(drawing.eyes[0].width, drawing.eyes[0].height);
+    let [width, height] = [0, 1].map(|i| rectangle[i].len() as u32);
+    let mut film = Film::new(width, height);
     let mut shadows = stages.image(drawing.shadow_words(), false)?;
     stages.clear(&mut shadows)?;
     for lens in &drawing.lenses {
@@ -138,19 +169,27 @@ pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch
             return Ok(film);
         }
     }
-    let mut image = stages.image(drawing.eyes[0].pixels() as usize, true)?;
-    for eye in &drawing.eyes {
-        stages.clear(&mut image)?;
-        draw(stages, eye, &mut image)?;
-        stages.mark(eye, &mut image)?;
-        stages.shade(eye, &image, &shadows)?;
-        let stop = step(&mut done).is_break();
-        if done == passes {
-            let (sums, ids) = stages.end(&image)?;
-            film.put(0, &sums, &ids);
-        } else if stop {
-            return Ok(film);
+    let pixels = windows.iter().flatten().map(Lens::pixels).max().unwrap_or(0);
+    let mut image = stages.image(pixels as usize, true)?;
+    for eyes in &windows {
+        for eye in eyes {
+            stages.clear(&mut image)?;
+            draw(stages, eye, &mut image)?;
+            stages.mark(eye, &mut image)?;
+            if drawing.canvas.show == SHOW_TILES {
+                stages.crowd(eye)?;
+                stages.heat(eye)?;
+            } else {
+                stages.shade(eye, &image, &shadows)?;
+            }
+            // What is done cannot be stopped any more.
+            if step(&mut done).is_break() && done < passes {
+                return Ok(film);
+            }
         }
+        let (sums, ids) = stages.end(&eyes[0], &image)?;
+        let place = [eyes[0].left - rectangle[0].start, eyes[0].top - rectangle[1].start];
+        film.lay(place, eyes[0].width, &sums, &ids);
     }
     Ok(film)
 }

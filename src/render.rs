@@ -11,7 +11,6 @@ use crate::film::pass::{Layer, Pass};
 use crate::film::{Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, Wanted};
-use crate::prepare::lens::LONGEST_SIDE;
 use crate::scene::{Method, Scene};
 use crate::trace::BLOCK;
 
@@ -33,9 +32,6 @@ pub enum Error {
     /// The GPU did not make it, and no other backend was allowed.
     #[error("{0}")]
     Gpu(#[from] gpu::Error),
-    /// A film that fixed-point coordinates do not reach across.
-    #[error("a film of {}x{} is too large for the rasterizer: a side has at most {LONGEST_SIDE} pixels", .0[0], .0[1])]
-    TooLarge([u32; 2]),
     /// A rectangle that is not within the picture.
     #[error("the part lies outside the picture, which has {}x{} pixels", .0[0], .0[1])]
     Outside([u32; 2]),

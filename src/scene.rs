@@ -154,6 +154,8 @@ pub enum Show {
     Specular,
     /// Every face in another color.
     Id,
+    /// How many faces each tile of 16 x 16 pixels has: black none, and another color for each doubling.
+    Tiles,
 }
 
 /// What an object is made of.

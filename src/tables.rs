@@ -20,14 +20,14 @@ mod status;
 mod view;
 
 pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
-pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, STEEPEST, TILE};
+pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, REGION, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
 pub use mesh::{Face, ONE_SIDED, Part, Vertex};
 pub use node::Node;
 pub use paint::{
     BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,
-    SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
+    SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_TILES, SHOW_UV,
 };
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
 pub use piece::{MOST_CORNERS, PLANES, Piece, Tally};
@@ -130,8 +130,10 @@ impl Tables {
 /// A scene as the rasterizer reads it.
 #[derive(Debug, Clone)]
 pub struct Drawing {
-    /// The eye's lens, one for each sample of a pixel.
+    /// The eye's lenses: for each region of the film, row by row, one for each sample of a pixel.
     pub eyes: Vec<Lens>,
+    /// Pixels that are drawn at once, at most.
+    pub most: u32,
     /// The lights' lenses, at most [`MOST_LENSES`]; their depths lie one after the other in one buffer.
     pub lenses: Vec<Lens>,
     /// How pixels are colored.
@@ -151,7 +153,8 @@ pub struct Drawing {
 impl Drawing {
     /// All bytes that a picture hangs on, part by part.
     pub fn each_bytes(&self, to: &mut dyn FnMut(&[u8])) {
-        let Self { eyes, lenses, canvas, vertices, faces, paints, lamps, texels } = self;
+        // How much is drawn at once does not show.
+        let Self { eyes, most: _, lenses, canvas, vertices, faces, paints, lamps, texels } = self;
         to(bytemuck::cast_slice(eyes));
         to(bytemuck::cast_slice(lenses));
         to(bytemuck::bytes_of(canvas));

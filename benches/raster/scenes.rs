@@ -52,6 +52,7 @@ pub(crate) fn sheets(size: [u32; 2], [columns, rows]: [u32; 2], layers: u32) -> 
     }
     Drawing {
         eyes: vec![lens],
+        most: u32::MAX,
         lenses: Vec::new(),
         canvas: Canvas::zeroed(),
         vertices,

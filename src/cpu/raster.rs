@@ -4,9 +4,11 @@ pub mod call;
 pub mod clip;
 pub mod count;
 pub mod cover;
+pub mod crowd;
 pub mod cut;
 pub mod facet;
 pub mod fill;
+pub mod heat;
 pub mod hold;
 pub mod mark;
 pub mod pixels;
@@ -167,7 +169,22 @@ impl Raster for CpuRaster<'_> {
         Ok(())
     }
 
-    fn end(&mut self, image: &Image) -> Result<Drawn, Infallible> {
-        Ok((std::mem::take(&mut self.sums), image.seen().1))
+    fn crowd(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        let Drawing { vertices, faces, .. } = self.drawing;
+        crowd::crowd(lens, faces, vertices, &mut self.counts);
+        Ok(())
+    }
+
+    fn heat(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        self.sums.resize(lens.pixels() as usize, [0.0; 4]);
+        let pixels = self.sums.par_iter_mut().zip(0_u32..lens.pixels());
+        pixels.for_each(|(sum, pixel)| heat::heat(lens, &self.counts, pixel, sum));
+        Ok(())
+    }
+
+    fn end(&mut self, lens: &Lens, image: &Image) -> Result<Drawn, Infallible> {
+        let mut ids = image.seen().1;
+        ids.truncate(lens.pixels() as usize);
+        Ok((std::mem::take(&mut self.sums), ids))
     }
 }

@@ -70,6 +70,8 @@ struct Kernels {
     cover: [Kernel; 2],
     mark: Kernel,
     shade: Kernel,
+    crowd: Kernel,
+    heat: Kernel,
 }
 
 /// Rows of the calls.
@@ -123,6 +125,8 @@ impl<'a> GpuRaster<'a> {
             cover: [kernel("cover", false)?, kernel("cover", true)?],
             mark: kernel("mark", true)?,
             shade: kernel("shade", true)?,
+            crowd: kernel("crowd", true)?,
+            heat: kernel("heat", true)?,
         };
         Self::with(gpu, Arc::new(kernels), drawing, Room::default())
     }
@@ -138,8 +142,9 @@ impl<'a> GpuRaster<'a> {
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
         let mut lenses = drawing.lenses.clone();
         lenses.resize(MOST_LENSES as usize, Lens::zeroed());
-        let pixels = drawing.eyes.first().map_or(0, Lens::pixels) as usize;
-        let tiles = drawing.eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
+        let eyes = drawing.windows(&drawing.film().map(|side| 0..side)).concat();
+        let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0) as usize;
+        let tiles = eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
         Ok(Self {
             gpu,
             kernels,
@@ -160,7 +165,7 @@ impl<'a> GpuRaster<'a> {
             entries: gpu.zeroed("entries", room.entries)?,
             sums: gpu.zeroed("sums", pixels)?,
             encoder: None,
-            samples: drawing.eyes.len() as u32,
+            samples: drawing.samples() as u32,
         })
     }
 

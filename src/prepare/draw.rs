@@ -1,16 +1,22 @@
 //! Scene -> Drawing: everything as triangles, every light with its lenses.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use super::lens::{Pose, orthographic, perspective};
 use super::mesh::Sheet;
 use super::pose;
+use super::window::regions;
 use crate::math::vector::unit;
 use crate::scene::{Camera, Filter, Light, Scene, Show, Specular};
 use crate::tables::{self, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
 const SHADOW_WORDS: u32 = (128 << 20) / 4;
+
+/// Pixels that are drawn at once: their sums are what every adapter binds at once.
+const MOST_PIXELS: u32 = (128 << 20) / 16;
 
 /// A sphere around all that is drawn but infinite planes.
 #[derive(Debug, Clone, Copy)]
@@ -32,6 +38,7 @@ pub fn draw(scene: &Scene) -> Drawing {
 
     let mut drawing = Drawing {
         eyes: eyes(scene),
+        most: MOST_PIXELS,
         lenses: Vec::new(),
         canvas: canvas(scene),
         vertices,
@@ -53,25 +60,32 @@ fn bounds(sheet: &Sheet) -> Option<Bounds> {
     Some(Bounds { center, radius: radius.max(1e-6) * 1.001 })
 }
 
-/// One lens for each sample of a pixel: the middles of an n x n grid.
+/// For each region of the film one lens for each sample of a pixel: the middles of an n x n grid.
 fn eyes(scene: &Scene) -> Vec<Lens> {
     let camera = &scene.camera;
     let size = scene.film.size;
     let side = scene.raster.samples.isqrt().max(1);
     let at = |i: u32| (i as f32 + 0.5) / side as f32 - 0.5;
-    (0..side * side)
-        .map(|i| {
-            let shift = [-at(i % side), -at(i / side)];
-            Lens { cull: 1, ..view(camera, size[0] as f32 / size[1] as f32, size, shift) }
+    let shifts = || (0..side * side).map(|i| [-at(i % side), -at(i / side)]);
+    let of_region = |region: [Range<u32>; 2]| {
+        shifts().map(move |shift| {
+            let lens = view(camera, size[0] as f32 / size[1] as f32, size, &region, shift);
+            Lens { cull: 1, left: region[0].start, top: region[1].start, ..lens }
         })
-        .collect()
+    };
+    regions(size).into_iter().flat_map(of_region).collect()
 }
 
-/// What a camera sees; `aspect` is its own unless it says otherwise.
-fn view(camera: &Camera, aspect: f32, size: [u32; 2], shift: [f32; 2]) -> Lens {
+/// What a camera sees of a region of a film; `aspect` is its own unless it says otherwise.
+fn view(camera: &Camera, aspect: f32, film: [u32; 2], region: &[Range<u32>; 2], shift: [f32; 2]) -> Lens {
     let up = (camera.fov / 2.0).tan();
     let half = [up * camera.aspect.unwrap_or(aspect), up];
     let seat = Pose { eye: camera.position, axes: pose(camera) };
+    let size = [0, 1].map(|i| region[i].len() as u32);
+    let half = [0, 1].map(|i| half[i] * (size[i] as f32 / film[i] as f32));
+    // From the middle of the region to the film's.
+    let middle = |i: usize| (f64::from(film[i]) - f64::from(region[i].start) - f64::from(region[i].end)) / 2.0;
+    let shift = [0, 1].map(|i| middle(i) as f32 + shift[i]);
     perspective(&seat, half, [camera.near, camera.far], size, shift)
 }
 
@@ -104,6 +118,7 @@ fn canvas(scene: &Scene) -> Canvas {
             Show::Diffuse => tables::SHOW_DIFFUSE,
             Show::Specular => tables::SHOW_SPECULAR,
             Show::Id => tables::SHOW_ID,
+            Show::Tiles => tables::SHOW_TILES,
         },
         reach: scene.camera.position.distance(scene.camera.look_at),
     }
@@ -122,7 +137,9 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
         let seen = match (light, bounds) {
-            (Light::Directional { camera: Some(camera), .. }, _) => vec![view(camera, 1.0, [side; 2], [0.0; 2])],
+            (Light::Directional { camera: Some(camera), .. }, _) => {
+                vec![view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2])]
+            }
             (Light::Directional { .. }, Some(b)) => vec![beam(place, b, side)],
             (Light::Point { .. }, Some(b)) => cube(place, b, side),
             (_, None) => Vec::new(),

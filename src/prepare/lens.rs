@@ -6,9 +6,6 @@ use crate::tables::{Lens, TILE};
 
 /// Pixels from the middle of the film that fixed point reaches to.
 const REACH: f32 = 8191.0;
-/// The longest side of an image.
-pub const LONGEST_SIDE: u32 = 8192;
-
 /// Where a lens is and which way it looks: the spec's R, U, D, of length one.
 #[derive(Debug, Clone, Copy)]
 pub struct Pose {
@@ -42,6 +39,10 @@ fn lens(size: [u32; 2], [x, y, z, w]: [Vec4; 4]) -> Lens {
         guard_y: REACH * 2.0 / height as f32,
         small: 16,
         round: 0,
+        span_x: width,
+        span_y: height,
+        left: 0,
+        top: 0,
     }
 }
 

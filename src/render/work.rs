@@ -13,7 +13,6 @@ use crate::film::pass::{Layer, Pass, Values};
 use crate::film::{Film, Transfer, Watch};
 use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
-use crate::prepare::lens::LONGEST_SIDE;
 use crate::prepare::{draw, prepare};
 use crate::raster;
 use crate::scene::{Maps, Method, Reach, Scene};
@@ -67,8 +66,7 @@ impl Work {
     /// Makes a scene ready.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] if the rasterizer cannot reach across the film, [`Error::Memory`] if there are more faces
-    /// than this machine's memory holds.
+    /// [`Error::Memory`] if there are more faces than this machine's memory holds.
     pub fn new(scene: &Scene, method: Method) -> Result<Self, Error> {
         Self::within(scene, method, &Reach::default())
     }
@@ -100,9 +98,6 @@ impl Work {
                 Kind::Traced(Box::new(tables), samples)
             }
             Method::Raster => {
-                if scene.film.size.iter().any(|side| *side > LONGEST_SIDE) {
-                    return Err(Error::TooLarge(scene.film.size));
-                }
                 let drawing = draw(scene);
                 let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
                 if bare > 0 && !drawing.faces.is_empty() {
@@ -250,7 +245,7 @@ impl Work {
     /// The drawing of one sample that shows a pass instead of colors.
     fn showing(&self, drawing: &Drawing, pass: Pass) -> Self {
         let mut drawing = drawing.clone();
-        drawing.eyes.truncate(1);
+        drawing.take_one_sample();
         drawing.canvas.show = match pass {
             Pass::Normal => SHOW_NORMAL,
             Pass::Albedo => SHOW_ALBEDO,
@@ -272,8 +267,8 @@ impl Work {
                 trace::part(&mut GpuTrace::new(gpu, sources, tables)?, tables, &self.part(samples), watch)
             }
             Kind::Drawn(drawing) => {
-                let film = raster::frame(&mut GpuRaster::new(gpu, sources, drawing)?, drawing, watch)?;
-                Ok(film.cut(self.columns.clone(), self.rows.clone()))
+                let mut stages = GpuRaster::new(gpu, sources, drawing)?;
+                raster::part(&mut stages, drawing, &[self.columns.clone(), self.rows.clone()], watch)
             }
         }
     }
@@ -285,8 +280,10 @@ impl Work {
                 film
             }
             Kind::Drawn(drawing) => {
-                let Ok(film) = raster::frame(&mut CpuRaster::new(drawing), drawing, watch);
-                film.cut(self.columns.clone(), self.rows.clone())
+                let mut stages = CpuRaster::new(drawing);
+                let Ok(film) =
+                    raster::part(&mut stages, drawing, &[self.columns.clone(), self.rows.clone()], watch);
+                film
             }
         }
     }

@@ -38,6 +38,14 @@ pub struct Lens {
     pub small: u32,
     /// Which portion of a tile's lists is drawn: `round * MOST_ENTRIES` and on.
     pub round: u32,
+    /// Columns of the region that clip space spans; the image is a window of it.
+    pub span_x: u32,
+    /// Rows of the region.
+    pub span_y: u32,
+    /// The window's first column on the film, whose regions begin at multiples of [`REGION`].
+    pub left: u32,
+    /// The window's first row on the film.
+    pub top: u32,
 }
 
 impl Lens {
@@ -59,6 +67,8 @@ pub const DEEP: u32 = 1 << 30;
 /// Deeper than anything. An image holds this less the depth and [`NONE`](super::NONE) less the id, so that zero is
 /// nothing and what counts is the largest.
 pub const NO_DEPTH: u32 = u32::MAX;
+/// The longest side of a region: fixed point reaches across it and as far again on all sides.
+pub const REGION: u32 = 8192;
 /// Pixels along the side of a tile.
 pub const TILE: u32 = 16;
 /// Tiles along the side of a bin.

@@ -108,3 +108,5 @@ pub const SHOW_DIFFUSE: u32 = 7;
 pub const SHOW_SPECULAR: u32 = 8;
 /// Every face another color.
 pub const SHOW_ID: u32 = 9;
+/// How many faces each tile has.
+pub const SHOW_TILES: u32 = 10;

@@ -103,7 +103,11 @@ fn structs_are_the_same() {
                 guard_x,
                 guard_y,
                 small,
-                round
+                round,
+                span_x,
+                span_y,
+                left,
+                top
             }
         ),
         mirror!(module, Vertex { position, u, normal, v }),
@@ -176,6 +180,7 @@ fn constants_are_the_same() {
         TILE,
         BIN,
         MOST_ENTRIES,
+        REGION,
         MOST_LENSES,
         STEEPEST,
         ONE_SIDED,
@@ -193,7 +198,8 @@ fn constants_are_the_same() {
         SHOW_AMBIENT,
         SHOW_DIFFUSE,
         SHOW_SPECULAR,
-        SHOW_ID
+        SHOW_ID,
+        SHOW_TILES
     );
     assert_eq!(checked, module.constants.iter().count(), "a constant of wgsl/tables is not checked here");
 }

@@ -60,6 +60,7 @@ pub(super) fn random_drawing(number: u32) -> Drawing {
     }
     Drawing {
         eyes: vec![lens],
+        most: u32::MAX,
         lenses: Vec::new(),
         canvas: Canvas::zeroed(),
         vertices,

@@ -1,5 +1,6 @@
 //! Whole drawn frames: GPU against CPU in every bit, and the two methods against each other.
 
+use twinlight::cpu::raster::heat::HEATS;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::Wanted;
 use twinlight::gpu::wgsl::Sources;
@@ -13,7 +14,7 @@ use twinlight::tables::{NONE, ONE_SIDED};
 use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
 
 /// A random scene to be drawn, with pictures on its materials.
-fn painted(number: u32) -> Scene {
+pub(super) fn painted(number: u32) -> Scene {
     let mut dice = Dice(number, 3);
     let mut scene = random_scene(number);
     scene.method = Method::Raster;
@@ -82,6 +83,7 @@ fn every_view_and_filter_is_the_same_to_the_bit() {
         Show::Diffuse,
         Show::Specular,
         Show::Id,
+        Show::Tiles,
     ];
     let filters = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap];
     for (i, show) in shows.into_iter().enumerate() {
@@ -209,5 +211,38 @@ fn planted_faults_in_shading_are_seen() {
             !compare(wanted, &gpu, Standard::Exact).expect("one size").passes()
         });
         assert!(seen, "nobody sees {wrong} in {file}");
+    }
+}
+
+/// One face over all of the film, and small ones in one of its tiles.
+#[test]
+fn tiles_are_colored_by_how_many_faces_they_have() {
+    let mut scene = small(&root().join("scenes/stones.toml"), [64, 64], 1);
+    scene.spheres.clear();
+    scene.planes.clear();
+    scene.raster.show = Show::Tiles;
+    let camera = Camera { position: Vec3::ZERO, look_at: Vec3::NEG_Z, ..scene.camera };
+    scene.camera = Camera { fov: std::f32::consts::FRAC_PI_2, near: 0.5, ..camera };
+    // At distance 1 the film reaches from -1 to 1: a pixel is 1/32.
+    let face = |x: f32, y: f32, size: f32| {
+        let corner = |x: f32, y: f32| Vec3::new(x / 32.0 - 1.0, 1.0 - y / 32.0, -1.0);
+        let vertices = [corner(x, y), corner(x, y + size), corner(x + size, y)];
+        Triangle { vertices, material: 0, uvs: Triangle::UVS }
+    };
+    scene.triangles = vec![face(-5.0, -5.0, 500.0)];
+    scene.triangles.extend([1.0, 3.0, 5.0].map(|step| face(20.0 + step, 36.0, 1.5)));
+    // Over the corner of four tiles.
+    scene.triangles.push(face(46.0, 46.0, 4.0));
+    let film = scene_on_cpu(&scene);
+    assert!(film == scene_on_gpu(&Sources::default(), &scene).expect("a film"));
+    for pixel in 0..film.pixels() {
+        let tile = [pixel % 64 / 16, pixel / 64 / 16];
+        let faces: u32 = match tile {
+            [1, 2] => 4,
+            [2 | 3, 2 | 3] => 2,
+            _ => 1,
+        };
+        let wanted = HEATS[32 - faces.leading_zeros() as usize];
+        assert_eq!(film.color(pixel).to_array(), wanted, "{tile:?}");
     }
 }

@@ -59,7 +59,8 @@ fn color_of(id: u32) -> vec3f {
 }
 
 fn color_at(pixel: u32, id: u32) -> vec3f {
-    let at = vec2f(f32(pixel % lens.width), f32(pixel / lens.width)) + 0.5;
+    let start = vec2u(lens.left, lens.top) % REGION;
+    let at = vec2f(start + vec2u(pixel % lens.width, pixel / lens.width)) + 0.5;
     let face = faces[id - part.first];
     let paint = paints[face.paint & ~ONE_SIDED];
     let a = vertices[face.a];

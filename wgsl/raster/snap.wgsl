@@ -45,11 +45,12 @@ fn outcode(c: vec4f) -> u32 {
 
 // Homogeneous division and Clip2Screen, in 1/256 pixel with y down; depth as a share of DEEP.
 fn snap(c: vec4f) -> vec3i {
-    let half = vec2f(f32(lens.width * 128u), f32(lens.height * 128u));
+    let half = vec2f(f32(lens.span_x * 128u), f32(lens.span_y * 128u));
     let x = half.x + hold(half.x * hold(c.x / c.w));
     let y = half.y - hold(half.y * hold(c.y / c.w));
     let z = clamp(hold(c.z / c.w), 0.0, 1.0) * f32(DEEP);
-    return vec3i(i32(floor(x + 0.5)), i32(floor(y + 0.5)), i32(z));
+    let start = vec2i(vec2u(lens.left, lens.top) % REGION) * 256;
+    return vec3i(i32(floor(x + 0.5)) - start.x, i32(floor(y + 0.5)) - start.y, i32(z));
 }
 
 fn project(p: vec3f) -> Corner {

@@ -2,13 +2,13 @@
 #import "tables/mesh.wgsl"
 #import "raster/snap.wgsl"
 
-// alpha, beta, gamma of Eq. 1.5 at a place on the film, in pixels; they sum to one.
+// alpha, beta, gamma of Eq. 1.5 at a place of what the lens spans, in pixels; they sum to one.
 //
 // Seen from the pixel's line of sight, each is the area that the other two corners span: the same as Z * alpha' / Z_A,
 // and true behind the eye as well.
 fn weights(a: vec4f, b: vec4f, c: vec4f, at: vec2f) -> vec3f {
-    let x = at.x * 2.0 / f32(lens.width) - 1.0;
-    let y = 1.0 - at.y * 2.0 / f32(lens.height);
+    let x = at.x * 2.0 / f32(lens.span_x) - 1.0;
+    let y = 1.0 - at.y * 2.0 / f32(lens.span_y);
     let p = a.xy - vec2f(hold(x * a.w), hold(y * a.w));
     let q = b.xy - vec2f(hold(x * b.w), hold(y * b.w));
     let r = c.xy - vec2f(hold(x * c.w), hold(y * c.w));

@@ -26,6 +26,12 @@ struct Lens {
     small: u32,
     // Which portion of a tile's lists is drawn: round * MOST_ENTRIES and on.
     round: u32,
+    // Columns and rows of the region that clip space spans; the image is a window of it.
+    span_x: u32,
+    span_y: u32,
+    // The window's first column and row on the film, whose regions begin at multiples of REGION.
+    left: u32,
+    top: u32,
 }
 
 // The depth of the far plane; the near plane's is 0.
@@ -33,6 +39,8 @@ const DEEP: u32 = 1073741824u;
 // Deeper than anything. An image holds NO_DEPTH less the depth and NONE less the id, so that zero is nothing and what
 // counts is the largest.
 const NO_DEPTH: u32 = 0xffffffffu;
+// The longest side of a region: fixed point reaches across it and as far again on all sides.
+const REGION: u32 = 8192u;
 // Pixels along the side of a tile.
 const TILE: u32 = 16u;
 // Tiles along the side of a bin.

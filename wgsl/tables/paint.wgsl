@@ -71,3 +71,4 @@ const SHOW_AMBIENT: u32 = 6u;
 const SHOW_DIFFUSE: u32 = 7u;
 const SHOW_SPECULAR: u32 = 8u;
 const SHOW_ID: u32 = 9u;
+const SHOW_TILES: u32 = 10u;

@@ -47,7 +47,7 @@ impl Failure {
             Self::Usage(_)
             | Self::Sizes(_)
             | Self::Film(film::Error::Ending(_))
-            | Self::Render(render::Error::TooLarge(_) | render::Error::Outside(_) | render::Error::Samples(_)) => 2,
+            | Self::Render(render::Error::Outside(_) | render::Error::Samples(_)) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
             // Only who asked for the stop knows why; without a reason it is the deadline's.
@@ -62,10 +62,7 @@ impl Failure {
             self,
             Self::Scene(_)
                 | Self::Render(
-                    render::Error::TooLarge(_)
-                        | render::Error::Outside(_)
-                        | render::Error::Samples(_)
-                        | render::Error::Memory { .. }
+                    render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Memory { .. }
                 )
         )
     }

@@ -11,8 +11,8 @@ use super::weights::{weights, weights_inside};
 use crate::cpu::shade::phong::phong;
 use crate::math::vector::unit;
 use crate::tables::{
-    Drawing, Lens, Map, NONE, ONE_SIDED, POINT, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE, SHOW_ID,
-    SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV, Vertex,
+    Drawing, Lens, Map, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE,
+    SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV, Vertex,
 };
 
 fn sum_by(w: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
@@ -49,7 +49,8 @@ fn color_of(id: u32) -> Vec3 {
 
 fn color_at(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, id: u32) -> Vec3 {
     let canvas = &drawing.canvas;
-    let at = Vec2::new((pixel % lens.width) as f32, (pixel / lens.width) as f32) + 0.5;
+    let [x, y] = [lens.left % REGION + pixel % lens.width, lens.top % REGION + pixel / lens.width];
+    let at = Vec2::new(x as f32, y as f32) + 0.5;
     let face = drawing.faces[id as usize];
     let paint = &drawing.paints[(face.paint & !ONE_SIDED) as usize];
     let corners = [face.a, face.b, face.c].map(|i| &drawing.vertices[i as usize]);

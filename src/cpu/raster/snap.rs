@@ -2,7 +2,7 @@
 
 use glam::{IVec3, Vec3, Vec4};
 
-use crate::tables::{DEEP, Lens, PLANES};
+use crate::tables::{DEEP, Lens, PLANES, REGION};
 
 fn along(row: Vec4, p: Vec3) -> f32 {
     ((row.x * p.x + row.y * p.y) + row.z * p.z) + row.w
@@ -45,11 +45,12 @@ pub fn outcode(lens: &Lens, c: Vec4) -> u32 {
 /// Homogeneous division and `Clip2Screen`, in 1/256 pixel with y down; depth as a share of [`DEEP`].
 #[must_use]
 pub fn snap(lens: &Lens, c: Vec4) -> IVec3 {
-    let half = [(lens.width * 128) as f32, (lens.height * 128) as f32];
+    let half = [(lens.span_x * 128) as f32, (lens.span_y * 128) as f32];
     let x = half[0] + half[0] * (c.x / c.w);
     let y = half[1] - half[1] * (c.y / c.w);
     let z = (c.z / c.w).clamp(0.0, 1.0) * DEEP as f32;
-    IVec3::new((x + 0.5).floor() as i32, (y + 0.5).floor() as i32, z as i32)
+    let start = [lens.left, lens.top].map(|at| (at % REGION) as i32 * 256);
+    IVec3::new((x + 0.5).floor() as i32 - start[0], (y + 0.5).floor() as i32 - start[1], z as i32)
 }
 
 /// A vertex as the lens sees it.

@@ -175,12 +175,50 @@ impl Raster for GpuRaster<'_> {
         self.gpu.finish(encoder)
     }
 
-    fn end(&mut self, image: &GpuImage) -> Result<Drawn, Error> {
-        let sums = self.gpu.read(&self.sums)?;
+    fn crowd(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("part", &bound.about),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("faces", &bound.faces),
+                    Binding::new("counts", &this.counts),
+                ];
+                this.kernels.crowd.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn heat(&mut self, lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("counts", &this.counts),
+                Binding::new("sums", &this.sums),
+            ];
+            this.kernels.heat.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
+            Ok(())
+        })?;
+        let encoder = self.recorded();
+        self.gpu.finish(encoder)
+    }
+
+    fn end(&mut self, lens: &Lens, image: &GpuImage) -> Result<Drawn, Error> {
+        let pixels = lens.pixels() as usize;
+        let mut sums = self.gpu.read(&self.sums)?;
+        sums.truncate(pixels);
         let wanted = self.samples as f32;
         if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {
             return Err(Error::Incomplete(format!("a pixel has {} of {wanted} samples", short[3])));
         }
-        Ok((sums, self.seen(image)?.1))
+        self.record(|this, encoder| {
+            this.sums.clear(encoder);
+            Ok(())
+        })?;
+        let mut ids = self.seen(image)?.1;
+        ids.truncate(pixels);
+        Ok((sums, ids))
     }
 }
