@@ -38,17 +38,17 @@ pub struct GpuRaster<'a> {
     texels: Buffer<u32>,
     tally: Buffer<Tally>,
     calls: Buffer<[u32; 4]>,
-    /// Of [`Raster::split`], in any order; the tally says how many.
+    /// Of [`Raster::split`](crate::raster::Raster::split), in any order; the tally says how many.
     pub late: Buffer<u32>,
-    /// Of [`Raster::cut`], in any order; the tally says how many.
+    /// Of [`Raster::cut`](crate::raster::Raster::cut), in any order; the tally says how many.
     pub pieces: Buffer<Piece>,
-    /// Of [`Raster::count`] until [`Raster::scan`], of [`Raster::fill`] after it.
+    /// Of [`Raster::count`](crate::raster::Raster::count) until [`Raster::scan`](crate::raster::Raster::scan), of [`Raster::fill`](crate::raster::Raster::fill) after it.
     pub counts: Buffer<u32>,
-    /// Of [`Raster::scan`].
+    /// Of [`Raster::scan`](crate::raster::Raster::scan).
     pub starts: Buffer<u32>,
-    /// Of [`Raster::scan`], in any order; the tally says how many.
+    /// Of [`Raster::scan`](crate::raster::Raster::scan), in any order; the tally says how many.
     pub busy: Buffer<u32>,
-    /// Of [`Raster::fill`].
+    /// Of [`Raster::fill`](crate::raster::Raster::fill).
     pub entries: Buffer<u32>,
     sums: Buffer<[f32; 4]>,
     /// What is recorded and not submitted yet.

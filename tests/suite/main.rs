@@ -28,6 +28,7 @@ mod raster_mutants;
 mod raster_oracle;
 mod raster_order;
 mod raster_shrink;
+mod raster_ways;
 mod raster_windows;
 mod schema;
 mod stages;
