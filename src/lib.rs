@@ -6,8 +6,8 @@
 //! ```text
 //!           scene.toml -> Scene -> Tables, or Drawing
 //! traced    [cast -> follow -> gather] x rounds                                                 -> Film -> picture
-//! drawn     each light:  [split -> cut -> count -> scan -> fill -> cover] -> shadow maps
-//!           each sample: [split -> cut -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
+//! drawn     each light:  [project -> split -> cut -> count -> scan -> fill -> cover] -> shadow maps
+//!           each sample: [project -> split -> cut -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
 //! ```
 //!
 //! A frame is written **once**, as a trait with one method a stage and a function over it ([`trace::Trace`],

@@ -1,8 +1,8 @@
 //! What a drawn frame is: the stages, and their order.
 //!
 //! ```text
-//! each light:  split -> cut -> count -> scan -> fill -> cover                  -> shadows
-//! each sample: split -> cut -> count -> scan -> fill -> cover -> mark -> shade -> Film
+//! each light:  project -> split -> cut -> count -> scan -> fill -> cover                  -> shadows
+//! each sample: project -> split -> cut -> count -> scan -> fill -> cover -> mark -> shade -> Film
 //! ```
 //!
 //! Instead of shade, crowd -> heat show how much each tile has to do (`--show tiles`).
@@ -41,6 +41,12 @@ pub trait Raster {
     /// # Errors
     /// If it cannot be done.
     fn clear(&mut self, image: &mut Self::Image) -> Result<(), Self::Error>;
+
+    /// vertices -> corners in fixed point, or the planes that they lie beyond
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn project(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
     /// faces -> small ones drawn onto the image, and the numbers of all others
     ///
@@ -121,6 +127,7 @@ pub trait Raster {
 /// # Errors
 /// The backend's.
 pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
+    stages.project(lens)?;
     loop {
         stages.split(lens, image)?;
         stages.cut(lens)?;

@@ -30,7 +30,7 @@ pub use paint::{
     SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_TILES, SHOW_UV,
 };
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
-pub use piece::{MOST_CORNERS, PLANES, Piece, Tally};
+pub use piece::{Corner, MOST_CORNERS, PLANES, Piece, Tally};
 pub use plane::Plane;
 pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};

@@ -41,6 +41,8 @@ fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage) -> Vec<(&
     let mut at = Instant::now();
     ours.clear(image).expect("clear");
     at = lap(ours, "clear", at);
+    ours.project(lens).expect("project");
+    at = lap(ours, "project", at);
     ours.split(lens, image).expect("split");
     at = lap(ours, "split", at);
     ours.cut(lens).expect("cut");

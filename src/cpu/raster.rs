@@ -13,6 +13,7 @@ pub mod hold;
 pub mod mark;
 pub mod pixels;
 pub mod plan;
+pub mod project;
 pub mod reach;
 pub mod scan;
 pub mod shade;
@@ -29,7 +30,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -53,6 +54,8 @@ impl Image {
 #[derive(Debug)]
 pub struct CpuRaster<'a> {
     drawing: &'a Drawing,
+    /// Of [`Raster::project`].
+    pub corners: Vec<Corner>,
     /// Of [`Raster::split`], in order.
     pub late: Vec<u32>,
     /// Of [`Raster::cut`], in the order of their faces.
@@ -79,6 +82,7 @@ impl<'a> CpuRaster<'a> {
     pub fn new(drawing: &'a Drawing) -> Self {
         Self {
             drawing,
+            corners: Vec::new(),
             late: Vec::new(),
             pieces: Vec::new(),
             counts: Vec::new(),
@@ -105,11 +109,16 @@ impl Raster for CpuRaster<'_> {
         Ok(())
     }
 
+    fn project(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        self.corners = self.drawing.vertices.par_iter().map(|vertex| project::project(lens, vertex)).collect();
+        Ok(())
+    }
+
     fn split(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        let vertices = &self.drawing.vertices;
+        let corners = &self.corners;
         let chunks = self.drawing.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
             let ids = (chunk * CHUNK) as u32..;
-            let late = faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, vertices, &image.nears));
+            let late = faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, corners, &image.nears));
             late.map(|(_, id)| id).collect::<Vec<_>>()
         });
         self.late = chunks.flatten_iter().collect();
@@ -154,9 +163,8 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn mark(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        let Drawing { vertices, faces, .. } = self.drawing;
-        let faces = faces.par_iter().zip(0_u32..faces.len() as u32);
-        faces.for_each(|(face, id)| mark::mark(lens, id, face, vertices, &image.nears, &image.ids));
+        let faces = self.drawing.faces.par_iter().zip(0_u32..self.drawing.faces.len() as u32);
+        faces.for_each(|(face, id)| mark::mark(lens, id, face, &self.corners, &image.nears, &image.ids));
         Ok(())
     }
 
@@ -170,8 +178,7 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn crowd(&mut self, lens: &Lens) -> Result<(), Infallible> {
-        let Drawing { vertices, faces, .. } = self.drawing;
-        crowd::crowd(lens, faces, vertices, &mut self.counts);
+        crowd::crowd(lens, &self.drawing.faces, &self.corners, &mut self.counts);
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use bytemuck::Zeroable as _;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel};
 use crate::raster::Seen;
-use crate::tables::{Canvas, Drawing, Lamp, Lens, MOST_LENSES, NO_DEPTH, NONE, Paint, Piece, Tally};
+use crate::tables::{Canvas, Corner, Drawing, Lamp, Lens, MOST_LENSES, NO_DEPTH, NONE, Paint, Piece, Tally};
 use part::{Bound, parts};
 
 /// What is nearest, on the device.
@@ -60,6 +60,7 @@ pub struct GpuRaster<'a> {
 #[derive(Debug)]
 struct Kernels {
     variant: Variant,
+    project: Kernel,
     split: [Kernel; 2],
     /// Of whole faces, and of those that cross a plane.
     cut: [Kernel; 2],
@@ -116,6 +117,7 @@ impl<'a> GpuRaster<'a> {
         let kernel = |name, eye| variant.kernel(gpu, sources, name, eye);
         let kernels = Kernels {
             variant,
+            project: kernel("project", false)?,
             split: [kernel("split", false)?, kernel("split", true)?],
             cut: [kernel("cut", false)?, variant.torn(gpu, sources)?],
             call: kernel("call", false)?,
@@ -194,6 +196,15 @@ impl<'a> GpuRaster<'a> {
         ];
         self.kernels.call.dispatch(self.gpu, encoder, &bindings, 1)?;
         Ok(())
+    }
+
+    /// Of [`Raster::project`](crate::raster::Raster::project), part after part.
+    ///
+    /// # Errors
+    /// If the device is lost or does not answer.
+    pub fn corners(&self) -> Result<Vec<Corner>, Error> {
+        let parts: Result<Vec<_>, _> = self.parts.iter().map(|bound| self.gpu.read(&bound.corners)).collect();
+        Ok(parts?.concat())
     }
 
     /// Of `call`: columns and rows of workgroups.

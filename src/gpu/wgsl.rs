@@ -41,6 +41,7 @@ embed! {
     "raster/mark",
     "raster/pixels",
     "raster/plan",
+    "raster/project",
     "raster/reach",
     "raster/scan",
     "raster/shade",

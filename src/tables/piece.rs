@@ -2,6 +2,16 @@
 
 use glam::IVec3;
 
+/// A vertex on the film.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Corner {
+    /// x to the right and y down in 1/256 pixel, z from 0 to [`DEEP`](super::DEEP); zero where `code` is not.
+    pub at: IVec3,
+    /// The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
+    pub code: u32,
+}
+
 /// A triangle on the film, with an area above zero, and the bin in which it is drawn tile by tile.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]

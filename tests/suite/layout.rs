@@ -3,7 +3,7 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Canvas, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path, Piece, Plane,
+    self, Canvas, Corner, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path, Piece, Plane,
     Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
 };
 
@@ -113,6 +113,7 @@ fn structs_are_the_same() {
         mirror!(module, Vertex { position, u, normal, v }),
         mirror!(module, Face { a, b, c, paint }),
         mirror!(module, Part { first, faces }),
+        mirror!(module, Corner { at, code }),
         mirror!(module, Piece { a, id, b, column, c, row }),
         mirror!(module, Tally { late, pieces, entries, longest, busy, groups, pad }),
         mirror!(module, Map { first, width, height, levels, scale, shift }),

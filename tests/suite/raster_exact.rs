@@ -4,7 +4,6 @@ use bytemuck::Zeroable as _;
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::raster::call::call;
 use twinlight::cpu::raster::plan::{area, area_sign};
-use twinlight::cpu::raster::snap::project;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Error, Gpu, GpuRaster, Room, Variant};
 use twinlight::math::Vec3;
@@ -122,8 +121,10 @@ fn raster_stages_are_the_same() {
         let (cpu, _) = on_cpu(&drawing);
         let mut stages = kernels.again(&drawing, Room::default()).expect("buffers");
         let mut image = stages.image(lens.pixels() as usize, true).expect("an image");
+        stages.project(lens).expect("project");
         stages.split(lens, &mut image).expect("split");
         let told = stages.told().expect("told");
+        assert_eq!(stages.corners().expect("corners"), cpu.corners, "project, drawing {number}");
         let late = gpu.read(&stages.late).expect("late");
         let torn = &late[late.len() - told.late[1] as usize..];
         assert_eq!(
@@ -217,7 +218,7 @@ fn brute_force_covers_the_same() {
         let drawing = random_drawing(number);
         let lens = &drawing.eyes[0];
         let (cpu, [_, ids]) = on_cpu(&drawing);
-        let corner = |vertex: u32| project(lens, drawing.vertices[vertex as usize].position);
+        let corner = |vertex: u32| cpu.corners[vertex as usize];
         let whole = drawing.faces.iter().filter(|f| [f.a, f.b, f.c].iter().all(|&i| corner(i).code == 0));
         let triangles: Vec<_> = whole
             .filter_map(|f| {

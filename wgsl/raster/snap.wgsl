@@ -24,14 +24,6 @@ fn height(plane: u32, c: vec4f) -> f32 {
     }
 }
 
-// A vertex on the film.
-struct Corner {
-    // Zero where `code` is not.
-    at: vec3i,
-    // The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
-    code: u32,
-}
-
 // The planes that a corner lies beyond, one bit each. Written out: a loop with a switch costs ten times as much on
 // lavapipe.
 fn outcode(c: vec4f) -> u32 {
@@ -51,10 +43,4 @@ fn snap(c: vec4f) -> vec3i {
     let z = clamp(hold(c.z / c.w), 0.0, 1.0) * f32(DEEP);
     let start = vec2i(vec2u(lens.left, lens.top) % REGION) * 256;
     return vec3i(i32(floor(x + 0.5)) - start.x, i32(floor(y + 0.5)) - start.y, i32(z));
-}
-
-fn project(p: vec3f) -> Corner {
-    let c = to_clip(p);
-    let code = outcode(c);
-    return Corner(select(vec3i(0), snap(c), code == 0u), code);
 }

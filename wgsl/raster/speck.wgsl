@@ -1,9 +1,10 @@
 // a face -> a triangle so small that 32 bits hold its edges, or what else becomes of it
-#import "raster/snap.wgsl"
+#import "tables/piece.wgsl"
+#import "raster/hold.wgsl"
 #import "raster/facet.wgsl"
 
 @group(0) @binding(1) var<uniform> part: Part;
-@group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(2) var<storage, read> corners: array<Corner>;
 @group(0) @binding(3) var<storage, read> faces: array<Face>;
 
 const NOTHING: u32 = 0u;
@@ -30,9 +31,9 @@ fn small_edge(p: vec2i, q: vec2i) -> vec3i {
 
 // One straight line without a branch: lavapipe runs both sides of each.
 fn speck(i: u32) -> Speck {
-    let ca = project(vertices[faces[i].a].position);
-    let cb = project(vertices[faces[i].b].position);
-    let cc = project(vertices[faces[i].c].position);
+    let ca = corners[faces[i].a];
+    let cb = corners[faces[i].b];
+    let cc = corners[faces[i].c];
     let p = ca.at;
     let whole = span(p, cb.at, cc.at);
     let bounds = on_film(whole);

@@ -1,3 +1,11 @@
+// A vertex on the film.
+struct Corner {
+    // x to the right and y down in 1/256 pixel, z from 0 to DEEP; zero where `code` is not.
+    at: vec3i,
+    // The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
+    code: u32,
+}
+
 // A triangle on the film, with an area above zero, and the bin in which it is drawn tile by tile.
 struct Piece {
     // Corners: x to the right and y down in 1/256 pixel, z from 0 to DEEP.

@@ -27,15 +27,6 @@ pub fn height(lens: &Lens, plane: u32, c: Vec4) -> f32 {
     }
 }
 
-/// A vertex on the film.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Corner {
-    /// Zero where `code` is not.
-    pub at: IVec3,
-    /// The planes that it lies beyond, one bit each: near, far, left, right, bottom, top.
-    pub code: u32,
-}
-
 /// The planes that a corner lies beyond, one bit each.
 #[must_use]
 pub fn outcode(lens: &Lens, c: Vec4) -> u32 {
@@ -51,12 +42,4 @@ pub fn snap(lens: &Lens, c: Vec4) -> IVec3 {
     let z = (c.z / c.w).clamp(0.0, 1.0) * DEEP as f32;
     let start = [lens.left, lens.top].map(|at| (at % REGION) as i32 * 256);
     IVec3::new((x + 0.5).floor() as i32 - start[0], (y + 0.5).floor() as i32 - start[1], z as i32)
-}
-
-/// A vertex as the lens sees it.
-#[must_use]
-pub fn project(lens: &Lens, p: Vec3) -> Corner {
-    let c = to_clip(lens, p);
-    let code = outcode(lens, c);
-    Corner { at: if code == 0 { snap(lens, c) } else { IVec3::ZERO }, code }
 }

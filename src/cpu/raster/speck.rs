@@ -4,8 +4,7 @@ use glam::{IVec2, IVec3};
 
 use super::facet::one_sided;
 use super::plan::{Plan, covers, depths_of, nearness, on_film, owned, span};
-use super::snap::project;
-use crate::tables::{Face, Lens, Vertex};
+use crate::tables::{Corner, Face, Lens};
 
 /// What becomes of a face.
 #[derive(Debug, Clone, Copy)]
@@ -37,8 +36,8 @@ fn small_edge(p: IVec2, q: IVec2) -> IVec3 {
 
 /// A face as the lens sees it.
 #[must_use]
-pub fn speck(lens: &Lens, face: &Face, vertices: &[Vertex]) -> Speck {
-    let [ca, cb, cc] = [face.a, face.b, face.c].map(|i| project(lens, vertices[i as usize].position));
+pub fn speck(lens: &Lens, face: &Face, corners: &[Corner]) -> Speck {
+    let [ca, cb, cc] = [face.a, face.b, face.c].map(|i| corners[i as usize]);
     if ca.code | cb.code | cc.code != 0 {
         return if ca.code & cb.code & cc.code == 0 { Speck::Torn } else { Speck::Nothing };
     }

@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use super::speck::{Speck, each_pixel, speck};
-use crate::tables::{Face, Lens, Vertex};
+use crate::tables::{Corner, Face, Lens};
 
 /// One face; whether it is to be drawn later.
-pub fn split(lens: &Lens, face: &Face, vertices: &[Vertex], nears: &[AtomicU32]) -> bool {
-    match speck(lens, face, vertices) {
+pub fn split(lens: &Lens, face: &Face, corners: &[Corner], nears: &[AtomicU32]) -> bool {
+    match speck(lens, face, corners) {
         Speck::Nothing => false,
         Speck::Late | Speck::Torn => true,
         Speck::Small { first, last, plan } => {

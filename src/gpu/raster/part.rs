@@ -1,7 +1,7 @@
 //! vertices and faces -> parts of them that can be bound
 
 use crate::gpu::{Buffer, Error, Gpu};
-use crate::tables::{Drawing, Face, Part, Vertex};
+use crate::tables::{Corner, Drawing, Face, Part, Vertex};
 
 /// Some of a drawing's faces, with the vertices that they use.
 #[derive(Debug)]
@@ -9,6 +9,8 @@ pub(super) struct Bound {
     pub(super) part: Part,
     pub(super) about: Buffer<Part>,
     pub(super) vertices: Buffer<Vertex>,
+    /// Of [`Raster::project`](crate::raster::Raster::project).
+    pub(super) corners: Buffer<Corner>,
     pub(super) faces: Buffer<Face>,
 }
 
@@ -19,6 +21,7 @@ impl Bound {
             part,
             about: gpu.uniform("part", &part)?,
             vertices: gpu.upload("vertices", vertices)?,
+            corners: gpu.zeroed("corners", vertices.len())?,
             faces: gpu.upload("faces", faces)?,
         })
     }

@@ -21,8 +21,22 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
-    fn split(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+    fn project(&mut self, lens: &Lens) -> Result<(), Error> {
         self.gpu.write(&self.lens, &[*lens]);
+        self.record(|this, encoder| {
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("corners", &bound.corners),
+                ];
+                this.kernels.project.dispatch(this.gpu, encoder, &bindings, bound.vertices.len() as u32)?;
+            }
+            Ok(())
+        })
+    }
+
+    fn split(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
         self.record(|this, encoder| {
             this.tally.clear(encoder);
             let words = Binding::new("image", &image.words);
@@ -31,7 +45,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("corners", &bound.corners),
                     Binding::new("faces", &bound.faces),
                     if wide { words.of_bytes(8) } else { words },
                     Binding::new("late", &this.late),
@@ -140,7 +154,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("corners", &bound.corners),
                     Binding::new("faces", &bound.faces),
                     Binding::new("image", &image.words),
                 ];
@@ -181,7 +195,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("corners", &bound.corners),
                     Binding::new("faces", &bound.faces),
                     Binding::new("counts", &this.counts),
                 ];

@@ -1,0 +1,22 @@
+// vertices -> corners in fixed point, or the planes that they lie beyond
+#import "tables/slice.wgsl"
+#import "tables/mesh.wgsl"
+#import "raster/snap.wgsl"
+
+@group(0) @binding(0) var<uniform> lens: Lens;
+@group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(2) var<storage, read_write> corners: array<Corner>;
+
+@compute @workgroup_size(64)
+fn main(
+    @builtin(workgroup_id) group: vec3u,
+    @builtin(num_workgroups) groups: vec3u,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    if (i < arrayLength(&vertices)) {
+        let c = to_clip(vertices[i].position);
+        let code = outcode(c);
+        corners[i] = Corner(select(vec3i(0), snap(c), code == 0u), code);
+    }
+}
