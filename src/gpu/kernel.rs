@@ -19,6 +19,11 @@ const MOST_GROUPS: u32 = 65_535;
 /// Bytes of a texel: four words.
 const TEXEL: u32 = 16;
 
+/// Columns and rows of workgroups, as `wgsl/raster/call.wgsl` counts them too.
+pub(super) fn fold(groups: u32) -> [u32; 2] {
+    [groups.min(MOST_GROUPS), groups.div_ceil(MOST_GROUPS)]
+}
+
 /// A WGSL variable that a buffer is bound to.
 #[derive(Debug, Clone)]
 struct Slot {
@@ -164,9 +169,7 @@ impl Kernel {
         bindings: &[Binding<'_>],
         invocations: u32,
     ) -> Result<u32, Error> {
-        let groups = invocations.div_ceil(self.group);
-        let columns = groups.clamp(1, MOST_GROUPS);
-        let rows = groups.div_ceil(columns).max(1);
+        let [columns, rows] = fold(invocations.div_ceil(self.group).max(1));
         self.pass(gpu, encoder, bindings, |pass| pass.dispatch_workgroups(columns, rows, 1))?;
         Ok(columns * rows)
     }

@@ -38,17 +38,17 @@ pub struct GpuRaster<'a> {
     texels: Buffer<u32>,
     tally: Buffer<Tally>,
     calls: Buffer<[u32; 4]>,
-    /// Of [`Raster::split`](crate::raster::Raster::split), in any order; the tally says how many.
+    /// Of `split`, in any order; the tally says how many.
     pub late: Buffer<u32>,
-    /// Of [`Raster::cut`](crate::raster::Raster::cut), in any order; the tally says how many.
+    /// Of `cut`, in any order; the tally says how many.
     pub pieces: Buffer<Piece>,
-    /// Of [`Raster::count`](crate::raster::Raster::count) until [`Raster::scan`](crate::raster::Raster::scan), of [`Raster::fill`](crate::raster::Raster::fill) after it.
+    /// Of `count` until `scan`, of `fill` after it.
     pub counts: Buffer<u32>,
-    /// Of [`Raster::scan`](crate::raster::Raster::scan).
+    /// Of `scan`.
     pub starts: Buffer<u32>,
-    /// Of [`Raster::scan`](crate::raster::Raster::scan), in any order; the tally says how many.
+    /// Of `scan`, in any order; the tally says how many.
     pub busy: Buffer<u32>,
-    /// Of [`Raster::fill`](crate::raster::Raster::fill).
+    /// Of `fill`.
     pub entries: Buffer<u32>,
     sums: Buffer<[f32; 4]>,
     /// What is recorded and not submitted yet.
@@ -198,11 +198,12 @@ impl<'a> GpuRaster<'a> {
         Ok(())
     }
 
-    /// Of [`Raster::project`](crate::raster::Raster::project), part after part.
+    /// Of `project`, part after part.
     ///
     /// # Errors
     /// If the device is lost or does not answer.
-    pub fn corners(&self) -> Result<Vec<Corner>, Error> {
+    pub fn corners(&mut self) -> Result<Vec<Corner>, Error> {
+        self.told()?;
         let parts: Result<Vec<_>, _> = self.parts.iter().map(|bound| self.gpu.read(&bound.corners)).collect();
         Ok(parts?.concat())
     }
@@ -234,19 +235,6 @@ impl<'a> GpuRaster<'a> {
             return Ok(words.chunks_exact(2).map(|pair| (NO_DEPTH - pair[1], NONE - pair[0])).unzip());
         }
         Ok((words.iter().map(|word| NO_DEPTH - word).collect(), Vec::new()))
-    }
-
-    fn cover_once(&self, encoder: &mut wgpu::CommandEncoder, image: &GpuImage) -> Result<(), Error> {
-        let bindings = [
-            Binding::new("lens", &self.lens),
-            Binding::new("pieces", &self.pieces),
-            Binding::new("starts", &self.starts),
-            Binding::new("entries", &self.entries),
-            Binding::new("busy", &self.busy),
-            Binding::new("image", &image.words),
-            Binding::new("tally", &self.tally),
-        ];
-        self.kernels.cover[usize::from(image.eye)].dispatch_called(self.gpu, encoder, &bindings, &self.calls, COVER)
     }
 
     /// Makes room for what was counted; whether there was enough.

@@ -44,7 +44,7 @@ pub struct Tally {
     pub longest: u32,
     /// Tiles with an entry.
     pub busy: u32,
-    /// Workgroups of the last stage that ran to their end.
+    /// Workgroups of call and cover that ran to their end.
     pub groups: u32,
     /// Zero: room to grow.
     pub pad: u32,

@@ -1,7 +1,7 @@
 //! Faults planted in the rasterizer's kernels are seen.
 
-use twinlight::gpu::GpuRaster;
 use twinlight::gpu::wgsl::Sources;
+use twinlight::gpu::{Error, GpuRaster};
 
 use super::gpu;
 use super::raster_exact::{on_cpu, on_gpu, random_drawing, variants};
@@ -41,5 +41,21 @@ fn planted_faults_are_seen() {
             on_gpu(kernels, &drawing, 1024).is_ok_and(|found| found != on_cpu(&drawing).1)
         });
         assert!(seen, "nobody sees {wrong} in {file}");
+    }
+}
+
+/// Work that is told as done and was not: the kernels that count for a proof count no more.
+#[test]
+fn work_that_was_not_done_is_seen() {
+    let gpu = gpu();
+    let drawing = (0..100).map(random_drawing).find(|d| !on_cpu(d).0.busy.is_empty()).expect("a busy tile");
+    let counts = "atomicAdd(&tally.groups, 1u);";
+    for file in ["raster/call", "raster/cover"] {
+        let text = Sources::default().get(file).expect("the file").into_owned();
+        assert!(text.contains(counts), "{file} has no {counts}");
+        let sources = Sources::default().with(file, text.replace(counts, "atomicAdd(&tally.groups, 0u);"));
+        let kernels = GpuRaster::new(&gpu, &sources, &random_drawing(0)).expect(file);
+        let made = on_gpu(&kernels, &drawing, 1024);
+        assert!(matches!(made, Err(Error::Incomplete(_))), "{file}: {:?}", made.map(|_| "a drawing"));
     }
 }

@@ -102,9 +102,37 @@ fn long_lists_are_drawn_to_their_end() {
         drawing.faces.push(Face { a, b: a + 1, c: a + 2, paint: 0 });
     }
     let wanted = on_cpu(&drawing).1;
-    let whole = GpuRaster::new(&gpu, &Sources::default(), &drawing).expect("kernels");
     assert!(wanted[1].iter().any(|id| *id > 19_000), "the last ones are seen: {:?}", drawing.eyes[0]);
-    assert!(drawn(&whole, &drawing, Room::default()) == wanted);
+    for variant in [Variant::of(&gpu), Variant::PORTABLE] {
+        let whole = GpuRaster::of(&gpu, &Sources::default(), &drawing, variant).expect("kernels");
+        assert!(drawn(&whole, &drawing, Room::default()) == wanted, "{variant:?}");
+    }
     let cut = GpuRaster::new(&gpu, &short, &drawing).expect("kernels");
     assert!(drawn(&cut, &drawing, Room::default()) != wanted, "rounds that are too short are seen");
+}
+
+/// Workgroups of another size than is counted with, and parts that do not know their place, are seen.
+#[test]
+fn wrong_divisions_are_seen() {
+    let gpu = gpu();
+    let faults = [
+        ("tables/slice", "GROUP: u32 = 64u", "GROUP: u32 = 128u"),
+        ("raster/split", "draw(s, part.first + i)", "draw(s, i)"),
+        ("raster/split", "late[at] = part.first + i", "late[at] = i"),
+        ("raster/call", "select(0u, (whole + GROUP - 1u) / GROUP, fits)", "(whole + GROUP - 1u) / GROUP"),
+    ];
+    let rooms = [Room { binding: 200, ..Room::default() }, Room { late: 1, ..Room::default() }, Room::default()];
+    for (file, right, wrong) in faults {
+        let text = Sources::default().get(file).expect("a file").into_owned();
+        assert!(text.contains(right), "{file} has no {right}");
+        let sources = Sources::default().with(file, text.replace(right, wrong));
+        let kernels = GpuRaster::new(&gpu, &sources, &random_drawing(0)).expect("kernels");
+        let seen = (0..200).map(random_drawing).any(|mut drawing| {
+            // The faces that count come last, so that they are in another workgroup than the first.
+            let none = Face { a: 0, b: 0, c: 0, paint: 0 };
+            drawing.faces = [vec![none; 100], drawing.faces].concat();
+            rooms.iter().any(|room| drawn(&kernels, &drawing, *room) != on_cpu(&drawing).1)
+        });
+        assert!(seen, "nobody sees {wrong} in {file}");
+    }
 }

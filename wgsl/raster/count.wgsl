@@ -17,17 +17,10 @@ fn main(
     if (i < min(atomicLoad(&tally.pieces), arrayLength(&pieces))) {
         let piece = pieces[i];
         let r = reach(piece);
-        var tile = r.tiles.xy;
-        loop {
+        for (var tile = r.tiles.xy; tile.y <= r.tiles.w; tile = after(r, tile)) {
             let way = how(r, tile, TILE);
             if (way != MISSED) {
                 atomicAdd(&counts[list_of(piece, tile, way)], 1u);
-            }
-            // Along the row, then to the next one.
-            let ends = tile.x == r.tiles.z;
-            tile = vec2u(select(tile.x + 1u, r.tiles.x, ends), tile.y + select(0u, 1u, ends));
-            if (tile.y > r.tiles.w) {
-                break;
             }
         }
     }

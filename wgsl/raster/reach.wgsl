@@ -40,6 +40,12 @@ fn how(r: Reach, tile: vec2u, side: u32) -> u32 {
     return select(TOUCHED, COVERED, (least.x | least.y | least.z) >= 0);
 }
 
+// The tile after this one, along the row and then on the next; below the last row there is none.
+fn after(r: Reach, tile: vec2u) -> vec2u {
+    let ends = tile.x == r.tiles.z;
+    return vec2u(select(tile.x + 1u, r.tiles.x, ends), tile.y + select(0u, 1u, ends));
+}
+
 // The list that a piece belongs to: each tile has one of pieces that cover all of it, and one of those that touch it.
 fn list_of(piece: Piece, tile: vec2u, way: u32) -> u32 {
     return ((piece.row + tile.y) * lens.columns + piece.column + tile.x) * 2u + way;

@@ -32,7 +32,7 @@ struct Tally {
     longest: atomic<u32>,
     // Tiles with an entry.
     busy: atomic<u32>,
-    // Workgroups of the last stage that ran to their end.
+    // Workgroups of call and cover that ran to their end.
     groups: atomic<u32>,
     pad: u32,
 }

@@ -1,9 +1,13 @@
 //! The rasterizer's stages, recorded one after the other.
 
-use super::{CUT, CUT_TORN, GpuImage, GpuRaster, SORT};
+use super::{COVER, CUT, CUT_TORN, GpuImage, GpuRaster, SORT};
+use crate::gpu::kernel::fold;
 use crate::gpu::{Binding, Error};
 use crate::raster::{Drawn, Raster};
 use crate::tables::{Lens, MOST_ENTRIES};
+
+/// Times that a lens asks `call`: after split, cut and scan.
+const CALLS: u32 = 3;
 
 impl Raster for GpuRaster<'_> {
     type Image = GpuImage;
@@ -120,28 +124,41 @@ impl Raster for GpuRaster<'_> {
     }
 
     fn cover(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        self.record(|this, encoder| this.cover_once(encoder, image))
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("pieces", &this.pieces),
+                Binding::new("starts", &this.starts),
+                Binding::new("entries", &this.entries),
+                Binding::new("busy", &this.busy),
+                Binding::new("image", &image.words),
+                Binding::new("tally", &this.tally),
+            ];
+            let cover = &this.kernels.cover[usize::from(image.eye)];
+            cover.dispatch_called(this.gpu, encoder, &bindings, &this.calls, COVER)
+        })
     }
 
     fn settle(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<bool, Error> {
-        let told = self.told()?;
-        if !self.grow(&told)? {
-            return Ok(false);
-        }
-        let mut rounds = 1;
-        while rounds * MOST_ENTRIES < told.longest {
-            self.gpu.write(&self.lens, &[Lens { round: rounds, ..*lens }]);
-            let mut encoder = self.gpu.encoder();
-            self.cover_once(&mut encoder, image)?;
-            self.gpu.finish(encoder)?;
-            rounds += 1;
+        let mut told = self.told()?;
+        let wanted = told;
+        let groups: u32 = fold(told.busy).iter().product();
+        for round in 1.. {
+            let ran = CALLS + round * groups;
+            if told.groups != ran {
+                return Err(Error::Incomplete(format!("{} of {ran} workgroups ran", told.groups)));
+            }
+            if !self.grow(&wanted)? {
+                return Ok(false);
+            }
+            if round * MOST_ENTRIES >= wanted.longest {
+                break;
+            }
+            self.gpu.write(&self.lens, &[Lens { round, ..*lens }]);
+            self.cover(lens, image)?;
+            told = self.told()?;
         }
         self.gpu.write(&self.lens, &[*lens]);
-        // Two factors of the workgroups that `call` asked for.
-        let groups = told.busy.min(65_535) * told.busy.div_ceil(65_535);
-        if told.groups != groups {
-            return Err(Error::Incomplete(format!("{} of {groups} workgroups ran", told.groups)));
-        }
         Ok(true)
     }
 
