@@ -8,5 +8,6 @@ mod lanes;
 pub mod raster;
 pub mod shade;
 pub mod trace;
+pub mod witness;
 
 pub use lanes::{Walker, Wides};

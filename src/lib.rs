@@ -26,7 +26,7 @@
 //!
 //! ```text
 //! 6  bin                   people
-//! 5  render                picks method and backend; the only place that knows both
+//! 5  render | explain      picks method and backend; the only place that knows both | a pixel and all that made it
 //! 4  cpu | gpu             how a stage is done; strangers to each other
 //! 3  raster | trace        what a frame is: the trait, the order of stages
 //! 2  prepare               Scene -> Tables or Drawing
@@ -90,6 +90,7 @@
 #![forbid(unsafe_code)]
 
 pub mod cpu;
+pub mod explain;
 pub mod film;
 pub mod gpu;
 pub mod math;

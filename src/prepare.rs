@@ -8,6 +8,7 @@ mod mesh;
 mod window;
 
 pub use draw::draw;
+pub use mesh::{PLANE_FACES, SPHERE_FACES};
 
 use glam::Vec3;
 

@@ -172,7 +172,7 @@ impl Raster for CpuRaster<'_> {
         self.sums.resize(lens.pixels() as usize, [0.0; 4]);
         let pixels = self.sums.par_iter_mut().zip(&image.ids).zip(0_u32..lens.pixels());
         pixels.for_each(|((sum, id), pixel)| {
-            shade::shade(self.drawing, lens, &shadows.nears, pixel, NONE - id.load(Relaxed), sum);
+            shade::shade(self.drawing, lens, &shadows.nears, pixel, NONE - id.load(Relaxed), sum, &mut ());
         });
         Ok(())
     }

@@ -106,10 +106,10 @@ impl Trace for CpuTrace<'_> {
                 for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(g as u32 * GROUP..) {
                     if slice.budget == u32::MAX {
                         let walk = |ray, start, any| walker.walk(ray, start, any);
-                        follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                        follow::follow(tables, slice, i, path, waiting, walk, &mut status, &mut ());
                     } else {
                         let walk = |ray, start, any| walk::walk(tables, walk, ray, start, slice.budget, any);
-                        follow::follow(tables, slice, i, path, waiting, walk, &mut status);
+                        follow::follow(tables, slice, i, path, waiting, walk, &mut status, &mut ());
                     }
                 }
                 status
@@ -158,7 +158,7 @@ impl Trace for CpuTrace<'_> {
                 let film = sums.iter_mut().zip(ids);
                 let stacks = stacks.chunks_mut(depth);
                 for (((path, stack), film), i) in paths.iter_mut().zip(stacks).zip(film).zip(first..) {
-                    few::few(tables, slice, i, path, stack, film, &mut status);
+                    few::few(tables, slice, i, path, stack, film, &mut status, &mut ());
                 }
             }
             status

@@ -25,6 +25,10 @@ const BARE: Map = Map { first: NONE, width: 0, height: 0, levels: 0, scale: Vec2
 /// Columns and rows of a sphere's faces.
 const AROUND: u32 = 96;
 const DOWN: u32 = 48;
+/// Faces that a sphere is drawn with.
+pub const SPHERE_FACES: u32 = 2 * AROUND * DOWN;
+/// Faces that an infinite plane is drawn with.
+pub const PLANE_FACES: u32 = 2;
 
 impl Sheet {
     /// The scene's materials and the decoding curve, and nothing painted with them yet.

@@ -192,7 +192,7 @@ const FLOORS: [&[&str]; 7] = [
     &["prepare"],
     &["raster", "trace"],
     &["cpu", "gpu"],
-    &["render"],
+    &["explain", "render"],
     &["bin"],
 ];
 

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use twinlight::scene::Error as SceneError;
-use twinlight::{film, gpu, render, scene};
+use twinlight::{explain, film, gpu, render, scene};
 
 /// Why a command did not do what was asked; its exit code hangs on it.
 #[derive(Debug, thiserror::Error)]
@@ -22,6 +22,8 @@ pub(crate) enum Failure {
     Stdout(#[from] std::io::Error),
     #[error(transparent)]
     Merge(film::merge::Misfit),
+    #[error(transparent)]
+    Explain(#[from] explain::Error),
     #[error("{0}: cannot read the part: {1}")]
     Part(String, std::io::Error),
     #[error("{0}")]
@@ -46,6 +48,7 @@ impl Failure {
             Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Usage(_)
             | Self::Sizes(_)
+            | Self::Explain(_)
             | Self::Film(film::Error::Ending(_))
             | Self::Render(render::Error::Outside(_) | render::Error::Samples(_)) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,

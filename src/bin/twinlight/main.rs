@@ -4,6 +4,7 @@ mod call;
 mod check;
 mod claim;
 mod compare;
+mod explain;
 mod eye;
 mod failure;
 mod frames;
@@ -59,6 +60,12 @@ enum Command {
     /// Prints the tolerance table with what was found, writes `cpu | gpu | difference` side by side, and ends
     /// with exit code 1 if anything is over its tolerance.
     Compare(Box<compare::Arguments>),
+    /// Tell everything that made a pixel, each figure beside the spec's equation.
+    ///
+    /// The CPU twin makes the pixel again and tells what it has in hand; the last line is the rendered
+    /// pixel to the bit.
+    #[command(after_help = explain::SHAPE)]
+    Explain(Box<explain::Arguments>),
     /// Put together what several `render --sample-range` have made, as if it had been made at once.
     ///
     /// Every sample must be there once, and all parts of one picture: the same scene, settings and version.
@@ -90,6 +97,7 @@ fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
         Command::Merge(arguments) => merge::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Completions { shell } => completions(shell),

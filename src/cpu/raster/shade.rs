@@ -9,6 +9,7 @@ use super::snap::to_clip;
 use super::texture::sample_map;
 use super::weights::{weights, weights_inside};
 use crate::cpu::shade::phong::phong;
+use crate::cpu::witness::{Fragment, Picture, Term, Witness};
 use crate::math::vector::unit;
 use crate::tables::{
     Drawing, Lens, Map, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE,
@@ -25,7 +26,7 @@ fn uv_by(w: Vec3, [a, b, c]: [&Vertex; 3]) -> Vec2 {
 
 /// The normal of a map in world space: T and B are what an edge's u and v stand for (spec, "Get the normal for a
 /// fragment"), N is interpolated.
-fn bumped(n: Vec3, [a, b, c]: [&Vertex; 3], tangent: Vec3) -> Vec3 {
+fn bumped(n: Vec3, [a, b, c]: [&Vertex; 3], tangent: Vec3, witness: &mut impl Witness) -> Vec3 {
     let (e, f) = (b.position - a.position, c.position - a.position);
     let (du, dv) = ([b.u - a.u, c.u - a.u], [b.v - a.v, c.v - a.v]);
     let turn = du[0] * dv[1] - du[1] * dv[0];
@@ -38,7 +39,9 @@ fn bumped(n: Vec3, [a, b, c]: [&Vertex; 3], tangent: Vec3) -> Vec3 {
     if along_u.dot(along_u) == 0.0 || along_v.dot(along_v) == 0.0 {
         return n;
     }
-    unit(sum_by(tangent, unit(along_u), unit(along_v), n))
+    let (t, b) = (unit(along_u), unit(along_v));
+    witness.tangents([t, b]);
+    unit(sum_by(tangent, t, b, n))
 }
 
 /// Another color for every number.
@@ -47,7 +50,14 @@ fn color_of(id: u32) -> Vec3 {
     Vec3::from_array([red, green, blue].map(|c| f32::from(c) / 255.0 * 0.75 + 0.25))
 }
 
-fn color_at(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, id: u32) -> Vec3 {
+fn color_at(
+    drawing: &Drawing,
+    lens: &Lens,
+    shadows: &[AtomicU32],
+    pixel: u32,
+    id: u32,
+    witness: &mut impl Witness,
+) -> Vec3 {
     let canvas = &drawing.canvas;
     let [x, y] = [lens.left % REGION + pixel % lens.width, lens.top % REGION + pixel / lens.width];
     let at = Vec2::new(x as f32, y as f32) + 0.5;
@@ -63,42 +73,63 @@ fn color_at(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, i
         uv_by(weights(lens, clip, at + Vec2::X), corners),
         uv_by(weights(lens, clip, at + Vec2::Y), corners),
     ];
-    let read = |map: &Map, decode| sample_map(&drawing.texels, canvas.filtering, map, uvs, decode);
+    let mut read = |of, map: &Map, decode| {
+        let value = sample_map(&drawing.texels, canvas.filtering, map, uvs, decode);
+        witness.texel(of, value);
+        value
+    };
 
     let mut albedo = paint.color;
     if paint.diffuse_map.first != NONE {
-        albedo *= read(&paint.diffuse_map, true);
+        albedo *= read(Picture::Diffuse, &paint.diffuse_map, true);
     }
     let mut weight = paint.specular;
     if paint.specular_map.first != NONE {
-        weight *= read(&paint.specular_map, false);
+        weight *= read(Picture::Specular, &paint.specular_map, false);
     }
     let mut exponent = paint.exponent;
     if paint.exponent_map.first != NONE {
-        exponent *= read(&paint.exponent_map, false).x;
+        exponent *= read(Picture::Exponent, &paint.exponent_map, false).x;
     }
-    let mut n = unit(sum_by(w, a.normal, b.normal, c.normal));
+    let smooth = unit(sum_by(w, a.normal, b.normal, c.normal));
+    let mut n = smooth;
     if paint.normal_map.first != NONE {
-        let map = read(&paint.normal_map, false) * 2.0 - 1.0;
-        n = bumped(n, corners, Vec3::new(map.x * paint.bump, map.y * paint.bump, map.z));
+        let map = read(Picture::Normal, &paint.normal_map, false) * 2.0 - 1.0;
+        n = bumped(n, corners, Vec3::new(map.x * paint.bump, map.y * paint.bump, map.z), witness);
     }
     let v = unit(canvas.eye - p);
     // A face that is seen from its back shows its back.
     if (b.position - a.position).cross(c.position - a.position).dot(v) < 0.0 {
         n = -n;
     }
+    witness.fragment(&Fragment {
+        clip,
+        weights: w,
+        point: p,
+        uv: uvs[0],
+        albedo,
+        specular: weight,
+        exponent,
+        smooth,
+        normal: n,
+        view: v,
+    });
 
     let (mut diffuse, mut specular, mut open) = (Vec3::ZERO, Vec3::ZERO, 0.0);
     for lamp in &drawing.lamps {
         let l = if lamp.kind == POINT { unit(lamp.place - p) } else { lamp.place };
-        let share = reaches(&drawing.lenses, shadows, canvas.blur, lamp, p);
+        let share = reaches(&drawing.lenses, shadows, canvas.blur, lamp, p, witness);
         open += share / canvas.lamps as f32;
+        let mut term = Term { toward: l, share, ..Term::default() };
         if n.dot(l) > 0.0 {
-            let power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
-            let terms = phong(n, l, v, exponent, canvas.specular);
-            diffuse += power * terms[0];
-            specular += weight * power * terms[1];
+            term.power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
+            term.phong = phong(n, l, v, exponent, canvas.specular);
+            term.diffuse = term.power * term.phong[0];
+            term.specular = weight * term.power * term.phong[1];
+            diffuse += term.diffuse;
+            specular += term.specular;
         }
+        witness.lamp(&term);
     }
     match canvas.show {
         SHOW_DEPTH => {
@@ -118,8 +149,18 @@ fn color_at(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, i
 }
 
 /// Adds a sample to one pixel.
-pub fn shade(drawing: &Drawing, lens: &Lens, shadows: &[AtomicU32], pixel: u32, id: u32, sum: &mut [f32; 4]) {
-    let color = if id == NONE { drawing.canvas.background } else { color_at(drawing, lens, shadows, pixel, id) };
+pub fn shade(
+    drawing: &Drawing,
+    lens: &Lens,
+    shadows: &[AtomicU32],
+    pixel: u32,
+    id: u32,
+    sum: &mut [f32; 4],
+    witness: &mut impl Witness,
+) {
+    let color =
+        if id == NONE { drawing.canvas.background } else { color_at(drawing, lens, shadows, pixel, id, witness) };
+    witness.color(color);
     for (sum, part) in sum.iter_mut().zip([color.x, color.y, color.z, 1.0]) {
         *sum += part;
     }

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use glam::Vec3;
 
 use super::snap::to_clip;
+use crate::cpu::witness::{Sight, Texel, Witness};
 use crate::tables::{DEEP, Lamp, Lens, NO_DEPTH, NONE, POINT};
 
 /// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
@@ -25,14 +26,23 @@ fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
 
 /// Depths are compared as they were drawn, in integers; the bias is in the drawn ones.
 #[must_use]
-pub fn reaches(lenses: &[Lens], shadows: &[AtomicU32], blur: u32, lamp: &Lamp, p: Vec3) -> f32 {
+pub fn reaches(
+    lenses: &[Lens],
+    shadows: &[AtomicU32],
+    blur: u32,
+    lamp: &Lamp,
+    p: Vec3,
+    witness: &mut impl Witness,
+) -> f32 {
     if lamp.lens == NONE {
         return 1.0;
     }
-    let lens = &lenses[lens_of(lamp, p) as usize];
+    let number = lens_of(lamp, p);
+    let lens = &lenses[number as usize];
     let c = to_clip(lens, p);
     // What lies beyond the far plane lies behind all that is drawn.
     if !(c.x.abs() <= c.w && c.y.abs() <= c.w && c.z >= 0.0) {
+        witness.shadow(&Sight { lens: number, clip: c, texel: None });
         return 1.0;
     }
     let (width, height) = (lens.width as i32, lens.height as i32);
@@ -49,5 +59,8 @@ pub fn reaches(lenses: &[Lens], shadows: &[AtomicU32], blur: u32, lamp: &Lamp, p
             }
         }
     }
-    open as f32 / ((2 * blur + 1) * (2 * blur + 1)) as f32
+    let asked = (2 * blur + 1) * (2 * blur + 1);
+    let texel = Texel { column, row, depth, open: open as u32, asked: asked as u32 };
+    witness.shadow(&Sight { lens: number, clip: c, texel: Some(texel) });
+    open as f32 / asked as f32
 }

@@ -6,10 +6,12 @@ use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::surface::surface_at;
 use crate::cpu::trace::tree::{Lit, go_on, lit, turn_back};
 use crate::cpu::trace::walk::Walk;
+use crate::cpu::witness::Witness;
 use crate::tables::{LIT, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
 
 /// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long; `walk` goes on from where a
 /// walk is, for any hit or for the nearest.
+#[expect(clippy::too_many_arguments, reason = "they are the kernel's, and who listens")]
 pub fn follow(
     tables: &Tables,
     slice: &Slice,
@@ -18,18 +20,21 @@ pub fn follow(
     waiting: &mut [Waiting],
     mut walk: impl FnMut(Ray, Walk, bool) -> Walk,
     status: &mut Status,
+    witness: &mut impl Witness,
 ) {
     let settings = &tables.settings;
     let mut turns = 0_u32;
     while (path.state == SEEK || path.state == LIT) && turns < slice.budget {
         let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
-        let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0 };
+        let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0, phong: [0.0; 2] };
         if path.state == LIT {
             let surface = surface_at(tables, own_ray, path.t, path.hit);
+            witness.met(path, path.t, &surface);
             while path.light < settings.lights && turns < slice.budget && asked.reach == 0.0 {
                 turns += 1;
                 asked = lit(tables, path, &surface, &tables.lights[path.light as usize]);
                 if asked.reach == 0.0 {
+                    witness.light(&asked, false);
                     path.light += 1;
                 }
             }
@@ -37,7 +42,7 @@ pub fn follow(
                 break;
             }
             if asked.reach == 0.0 {
-                go_on(tables, slice, i, &surface, path, waiting, status);
+                go_on(tables, slice, i, &surface, path, waiting, status, witness);
             }
         }
         // The tree's own ray, or a shadow ray of its hit.
@@ -67,7 +72,9 @@ pub fn follow(
                 path.seen = tables.leaves[found.hit as usize].id;
             }
             if found.hit == NONE {
-                path.radiance += path.weight * settings.background;
+                let light = path.weight * settings.background;
+                witness.missed(path, light);
+                path.radiance += light;
                 turn_back(path, waiting);
             } else {
                 path.state = LIT;
@@ -75,6 +82,7 @@ pub fn follow(
                 path.light = if path.inside == 1 { settings.lights } else { 0 };
             }
         } else {
+            witness.light(&asked, found.hit == NONE);
             if found.hit == NONE {
                 path.radiance += asked.color;
             }

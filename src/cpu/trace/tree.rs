@@ -6,6 +6,7 @@ use crate::cpu::shade::phong::phong;
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::scatter::{Branch, scatter};
 use crate::cpu::trace::surface::{Surface, start_of};
+use crate::cpu::witness::{Fork, Witness};
 use crate::math::random::{pcg4d, unit_float};
 use crate::math::vector::{largest, unit};
 use crate::tables::{DONE, FAR, Light, NONE, POINT, Path, SEEK, STACK_FULL, Slice, Status, Tables, Waiting};
@@ -38,6 +39,7 @@ pub fn turn_back(path: &mut Path, waiting: &[Waiting]) {
 }
 
 /// Follows the heavier branch and lets the lighter one wait: at most one waits for each level of the tree.
+#[expect(clippy::too_many_arguments, reason = "they are the kernel's, and who listens")]
 pub fn go_on(
     tables: &Tables,
     slice: &Slice,
@@ -46,6 +48,7 @@ pub fn go_on(
     path: &mut Path,
     waiting: &mut [Waiting],
     status: &mut Status,
+    witness: &mut impl Witness,
 ) {
     let settings = &tables.settings;
     let bits = pcg4d([slice.first + i, path.sample, path.rays, tables.view.seed]);
@@ -54,15 +57,21 @@ pub fn go_on(
     let (mut heavy, mut light) = (branches.reflected, branches.refracted);
     heavy.weight *= path.weight;
     light.weight *= path.weight;
-    if largest(light.weight) > largest(heavy.weight) {
+    let swapped = largest(light.weight) > largest(heavy.weight);
+    if swapped {
         std::mem::swap(&mut heavy, &mut light);
     }
+    let ways = [heavy, light];
+    let [heavy_goes, light_goes] = ways.map(|way| largest(way.weight) > settings.cutoff);
     if path.depth >= settings.max_depth {
-        path.radiance += (heavy.weight + light.weight) * settings.background;
+        let rest = (heavy.weight + light.weight) * settings.background;
+        witness.fork(&Fork { random, ways, swapped, goes: [false; 2], ends: Some(rest) });
+        path.radiance += rest;
         turn_back(path, waiting);
         return;
     }
-    if largest(light.weight) > settings.cutoff {
+    witness.fork(&Fork { random, ways, swapped, goes: [heavy_goes, light_goes], ends: None });
+    if light_goes {
         if path.waiting >= settings.max_depth {
             status.flags |= STACK_FULL;
         } else {
@@ -77,7 +86,7 @@ pub fn go_on(
             path.waiting += 1;
         }
     }
-    if largest(heavy.weight) > settings.cutoff {
+    if heavy_goes {
         take(path, start_of(surface, heavy.direction), heavy, path.depth + 1, path.hit);
     } else {
         turn_back(path, waiting);
@@ -93,6 +102,8 @@ pub struct Lit {
     pub shadow: Ray,
     /// The shadow ray counts up to here.
     pub reach: f32,
+    /// cos theta and cos^k alpha.
+    pub phong: [f32; 2],
 }
 
 /// What `source` gives at the surface; a `reach` of 0 if it lies behind it.
@@ -107,12 +118,12 @@ pub fn lit(tables: &Tables, path: &Path, surface: &Surface, source: &Light) -> L
     // A comparison that a light in the very point fails too: its direction is not a number.
     let lights = l.dot(surface.normal) > 0.0;
     if !lights {
-        return Lit { color: Vec3::ZERO, shadow, reach: 0.0 };
+        return Lit { color: Vec3::ZERO, shadow, reach: 0.0, phong: [0.0; 2] };
     }
     let material = &surface.material;
     let [diffuse, specular] =
         phong(surface.normal, l, -path.direction, material.exponent, tables.settings.specular);
     let strength = material.local_weight * (diffuse + specular);
     let color = path.weight * (material.color * (source.power * strength));
-    Lit { color, shadow, reach: if point_light { 1.0 } else { FAR } }
+    Lit { color, shadow, reach: if point_light { 1.0 } else { FAR }, phong: [diffuse, specular] }
 }

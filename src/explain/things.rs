@@ -1,0 +1,87 @@
+//! the number of a face or primitive -> the thing of the scene that it belongs to
+
+use serde::Serialize;
+
+use crate::prepare::{PLANE_FACES, SPHERE_FACES};
+use crate::scene::{Light, Mesh, Scene};
+
+/// A thing of the scene, as the scene file calls it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Thing {
+    /// Its number in the drawing or in the tables: what `--show id` and the id pass show.
+    pub id: u32,
+    /// Its table in the scene file: `object.mesh[0]`, `object.sphere[2]`.
+    pub object: String,
+    /// Which triangle of it, from 0, where it has several.
+    pub triangle: Option<u32>,
+    /// The model's group, where it has a name.
+    pub group: Option<String>,
+    /// The name of its material.
+    pub material: String,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Kind {
+    Mesh,
+    Sphere,
+    Triangle,
+    Plane,
+}
+
+/// What a face of a drawing belongs to.
+pub(super) fn drawn(scene: &Scene, id: u32) -> Thing {
+    let order = [(Kind::Mesh, 1), (Kind::Sphere, SPHERE_FACES), (Kind::Triangle, 1), (Kind::Plane, PLANE_FACES)];
+    find(scene, order, id)
+}
+
+/// What a primitive of the ray tracer is.
+pub(super) fn traced(scene: &Scene, id: u32) -> Thing {
+    find(scene, [(Kind::Sphere, 1), (Kind::Plane, 1), (Kind::Triangle, 1), (Kind::Mesh, 1)], id)
+}
+
+/// `order`: the kinds in their order, and how many numbers one of each kind takes; a mesh takes one for each triangle.
+fn find(scene: &Scene, order: [(Kind, u32); 4], id: u32) -> Thing {
+    let mut left = id;
+    let name = |material: usize| scene.materials[material].name.clone();
+    for (kind, each) in order {
+        let (word, materials): (_, Vec<usize>) = match kind {
+            Kind::Sphere => ("sphere", scene.spheres.iter().map(|s| s.material).collect()),
+            Kind::Triangle => ("triangle", scene.triangles.iter().map(|t| t.material).collect()),
+            Kind::Plane => ("plane", scene.planes.iter().map(|p| p.material).collect()),
+            Kind::Mesh => {
+                for (number, Mesh { model, material, .. }) in scene.meshes.iter().enumerate() {
+                    if let Some(of) = model.triangles.get(left as usize) {
+                        let own = || model.materials[of.material as usize].name.clone();
+                        let group = model.groups.get(of.group as usize).filter(|name| !name.is_empty());
+                        return Thing {
+                            id,
+                            object: format!("object.mesh[{number}]"),
+                            triangle: Some(left),
+                            group: group.cloned(),
+                            material: material.map_or_else(own, name),
+                        };
+                    }
+                    left -= model.triangles.len() as u32;
+                }
+                continue;
+            }
+        };
+        if let Some(material) = materials.get((left / each) as usize) {
+            let object = format!("object.{word}[{}]", left / each);
+            let triangle = (each > 1).then_some(left % each);
+            return Thing { id, object, triangle, group: None, material: name(*material) };
+        }
+        left -= materials.len() as u32 * each;
+    }
+    Thing { id, object: "nothing of the scene".to_owned(), triangle: None, group: None, material: String::new() }
+}
+
+/// What the scene file calls a light: those at points come first.
+pub(super) fn light(scene: &Scene, number: usize) -> String {
+    let points = scene.lights.iter().filter(|light| matches!(light, Light::Point { .. })).count();
+    if number < points {
+        format!("light.point[{number}]")
+    } else {
+        format!("light.directional[{}]", number - points)
+    }
+}
