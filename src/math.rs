@@ -4,6 +4,7 @@
 //! (measured; WGSL allows them several ulps). So the functions that a decision or a color hangs on are built
 //! here from the former, each with its twin in `wgsl/math`.
 
+pub mod angle;
 pub mod fence;
 pub mod power;
 pub mod random;

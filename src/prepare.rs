@@ -14,9 +14,10 @@ use glam::Vec3;
 
 use bvh::Bounds;
 use leaves::Leaves;
+use mesh::Sheet;
 
 use crate::math::vector::unit;
-use crate::scene::{Behavior, Camera, Light, Material, Scene, Specular};
+use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Specular};
 use crate::tables::{self, Tables, View};
 
 /// The tables of a scene.
@@ -30,6 +31,10 @@ pub fn prepare(scene: &Scene) -> Tables {
 pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     let material = |i: usize| i as u32;
     let Leaves { all: leaves, tree, materials } = leaves::leaves(scene, builder);
+    let mut sheet = Sheet::new(scene);
+    sheet.triangles(scene);
+    sheet.meshes(scene);
+    let Sheet { vertices, faces, paints, texels } = sheet;
     let bounds = if tree.order.is_empty() { Bounds::around([Vec3::ZERO]) } else { tree.bounds };
     let mut tables = Tables {
         view: view(scene),
@@ -47,6 +52,9 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
             cutoff: scene.trace.cutoff,
             high: bounds.high.truncate(),
             zero: 0,
+            filtering: filtering(scene.trace.filter),
+            pad_a: 0,
+            pad_b: [0; 2],
         },
         samples: scene.trace.samples,
         spheres: scene
@@ -69,6 +77,10 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
         nodes: tree.nodes,
         deep: tree.deep,
         materials: scene.materials.iter().map(paint).chain(materials).collect(),
+        paints,
+        faces,
+        vertices,
+        texels,
         lights: scene.lights.iter().map(lamp).collect(),
         few: false,
     };
@@ -103,11 +115,16 @@ pub fn pose(camera: &Camera) -> [Vec3; 3] {
     [right, unit(back.cross(right)), back]
 }
 
+/// A color at length one; black stays black.
+fn tint(color: Vec3) -> Vec3 {
+    if color.dot(color) > 0.0 { unit(color) } else { Vec3::ZERO }
+}
+
 fn paint(m: &Material) -> tables::Material {
     tables::Material {
         color: m.color,
         local_weight: m.local,
-        tint: m.color.normalize_or_zero(),
+        tint: tint(m.color),
         reflect_weight: m.reflect,
         refract_weight: m.refract,
         exponent: m.exponent,
@@ -117,6 +134,14 @@ fn paint(m: &Material) -> tables::Material {
             Behavior::Diffuse => tables::DIFFUSE,
             Behavior::Glass => tables::GLASS,
         },
+    }
+}
+
+fn filtering(filter: Filter) -> u32 {
+    match filter {
+        Filter::Nearest => tables::NEAREST,
+        Filter::Bilinear => tables::BILINEAR,
+        Filter::Mipmap => tables::MIPMAP,
     }
 }
 

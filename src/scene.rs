@@ -58,7 +58,7 @@ pub struct Scene {
     pub planes: Vec<Plane>,
     /// Single triangles, in world space.
     pub triangles: Vec<Triangle>,
-    /// Models; only the rasterizer draws them.
+    /// Models.
     pub meshes: Vec<Mesh>,
 }
 
@@ -101,6 +101,8 @@ pub struct TraceSettings {
     pub depth: u32,
     /// Which specular term.
     pub specular: Specular,
+    /// How textures are read.
+    pub filter: Filter,
     /// A path whose weight is not above this is not followed.
     pub cutoff: f32,
     /// Chooses another set of random numbers.
@@ -177,7 +179,7 @@ pub struct Material {
     pub index: f32,
     /// Which way rays go on.
     pub behavior: Behavior,
-    /// The pictures laid over it; the ray tracer does not read them yet.
+    /// The pictures laid over it.
     pub maps: Maps,
 }
 

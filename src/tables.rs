@@ -59,6 +59,14 @@ pub struct Tables {
     pub deep: u32,
     /// What the primitives are made of.
     pub materials: Vec<Material>,
+    /// What pictures are laid over each of the materials.
+    pub paints: Vec<Paint>,
+    /// All triangles, in the order of their numbers: the first is the one after the planes.
+    pub faces: Vec<Face>,
+    /// What they share.
+    pub vertices: Vec<Vertex>,
+    /// As a [`Drawing`]'s.
+    pub texels: Vec<u32>,
     /// Where light comes from.
     pub lights: Vec<Light>,
     /// Whether a frame is made by the one stage for scenes of few things ([`Tables::are_few`]).
@@ -94,13 +102,29 @@ impl Tables {
         self.leaves.len() == self.spheres.len() + self.planes.len()
             && most.into_iter().all(|count| count <= FEW)
             && tests <= FEW_TESTS
+            && self.paints.iter().all(Paint::is_bare)
     }
 
     /// All bytes that a picture hangs on, part by part.
     pub fn each_bytes(&self, to: &mut dyn FnMut(&[u8])) {
         // Taken apart by name, so that what is added to the tables is not forgotten here.
-        let Self { view, settings, samples, spheres, planes, leaves, nodes, deep: _, materials, lights, few: _ } =
-            self;
+        let Self {
+            view,
+            settings,
+            samples,
+            spheres,
+            planes,
+            leaves,
+            nodes,
+            deep: _,
+            materials,
+            paints,
+            faces,
+            vertices,
+            texels,
+            lights,
+            few: _,
+        } = self;
         to(bytemuck::bytes_of(view));
         to(bytemuck::bytes_of(settings));
         to(bytemuck::bytes_of(samples));
@@ -109,6 +133,10 @@ impl Tables {
         to(bytemuck::cast_slice(leaves));
         to(bytemuck::cast_slice(nodes));
         to(bytemuck::cast_slice(materials));
+        to(bytemuck::cast_slice(paints));
+        to(bytemuck::cast_slice(faces));
+        to(bytemuck::cast_slice(vertices));
+        to(bytemuck::cast_slice(texels));
         to(bytemuck::cast_slice(lights));
     }
 

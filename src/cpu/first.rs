@@ -53,5 +53,5 @@ fn at(tables: &Tables, pixel: u32, stack: &mut [[u32; 2]]) -> First {
     });
     let shadow = open.count() as f32 / tables.lights.len().max(1) as f32;
     let depth = (surface.point - tables.view.eye).dot(-tables.view.back);
-    First { depth, normal: surface.normal, albedo: surface.material.color, shadow }
+    First { depth, normal: surface.shading, albedo: surface.material.color, shadow }
 }

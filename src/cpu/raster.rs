@@ -21,7 +21,6 @@ pub mod shadow;
 pub mod snap;
 pub mod speck;
 pub mod split;
-pub mod texture;
 pub mod weights;
 
 use std::convert::Infallible;

@@ -1,3 +1,5 @@
 //! Twins of `wgsl/shade`.
 
+pub mod look;
 pub mod phong;
+pub mod texture;

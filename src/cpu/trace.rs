@@ -3,9 +3,11 @@
 pub mod aim;
 pub mod boxes;
 pub mod cast;
+pub mod detail;
 pub mod few;
 pub mod follow;
 pub mod gather;
+pub mod hold;
 pub mod meet;
 pub mod primary;
 pub mod scatter;

@@ -23,6 +23,7 @@ macro_rules! embed {
 }
 
 embed! {
+    "math/angle",
     "math/fence",
     "math/power",
     "math/random",
@@ -49,9 +50,10 @@ embed! {
     "raster/snap",
     "raster/speck",
     "raster/split",
-    "raster/texture",
     "raster/weights",
+    "shade/look",
     "shade/phong",
+    "shade/texture",
     "tables/leaf",
     "tables/lens",
     "tables/light",
@@ -70,9 +72,11 @@ embed! {
     "trace/aim",
     "trace/boxes",
     "trace/cast",
+    "trace/detail",
     "trace/few",
     "trace/follow",
     "trace/gather",
+    "trace/hold",
     "trace/meet",
     "trace/primary",
     "trace/scatter",

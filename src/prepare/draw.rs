@@ -6,10 +6,10 @@ use glam::Vec3;
 
 use super::lens::{Pose, orthographic, perspective};
 use super::mesh::Sheet;
-use super::pose;
 use super::window::regions;
+use super::{filtering, pose};
 use crate::math::vector::unit;
-use crate::scene::{Camera, Filter, Light, Scene, Show, Specular};
+use crate::scene::{Camera, Light, Scene, Show, Specular};
 use crate::tables::{self, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
@@ -101,11 +101,7 @@ fn canvas(scene: &Scene) -> Canvas {
         },
         ambient: settings.ambient,
         shade: settings.shadow,
-        filtering: match settings.filter {
-            Filter::Nearest => tables::NEAREST,
-            Filter::Bilinear => tables::BILINEAR,
-            Filter::Mipmap => tables::MIPMAP,
-        },
+        filtering: filtering(settings.filter),
         blur: settings.blur,
         show: match settings.show {
             Show::Color => tables::SHOW_COLOR,

@@ -4,7 +4,8 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::bvh::{Bounds, Builder, Tree};
-use crate::scene::{Mesh, Scene, model};
+use super::tint;
+use crate::scene::{Mesh, Plane, Scene, model};
 use crate::tables::{Leaf, MIRROR, Material, PLANE, SPHERE, TRIANGLE};
 
 /// A scene's primitives and their tree.
@@ -27,8 +28,9 @@ pub(super) fn leaves(scene: &Scene, builder: &dyn Builder) -> Leaves {
     for s in &scene.spheres {
         below.push(leaf(SPHERE, s.material, [s.center, Vec3::X * s.radius, none]));
     }
+    let along_u = |p: &Plane| p.axes()[0] / p.tile;
     let mut leaves: Vec<Leaf> =
-        scene.planes.iter().map(|p| leaf(PLANE, p.material, [p.point, p.normal, none])).collect();
+        scene.planes.iter().map(|p| leaf(PLANE, p.material, [p.point, p.normal, along_u(p)])).collect();
     for t in &scene.triangles {
         below.push(leaf(TRIANGLE, t.material, t.vertices));
     }
@@ -72,7 +74,7 @@ fn dress(m: &model::Material) -> Material {
     Material {
         color: m.diffuse,
         local_weight: 1.0,
-        tint: m.diffuse.normalize_or_zero(),
+        tint: tint(m.diffuse),
         reflect_weight: 0.0,
         refract_weight: 0.0,
         exponent: m.exponent,

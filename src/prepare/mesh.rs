@@ -143,8 +143,13 @@ impl Sheet {
             let near = eye - plane.normal * plane.normal.dot(eye - plane.point);
             let reach = scene.camera.far * 2.0;
             let axes = plane.axes();
-            // Whole copies are left out, so that the coordinates are fine where the eye is.
-            let start = axes.map(|axis| ((near - plane.point).dot(axis) / plane.tile).fract());
+            let maps = &scene.materials[plane.material].maps;
+            let scales = || [maps.color, maps.normal, maps.specular].into_iter().flatten().map(|map| map.scale);
+            let start = [0, 1].map(|i| {
+                let copies = (near - plane.point).dot(axes[i]) / plane.tile;
+                // Whole copies are left out where they are alike, so that the coordinates are fine where the eye is.
+                if scales().all(|scale| scale[i].fract() == 0.0) { copies.fract() } else { copies }
+            });
             let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|way: [f32; 2]| {
                 let position = near + axes[0] * (way[0] * reach) + axes[1] * (way[1] * reach);
                 let uv = [0, 1].map(|i| start[i] + way[i] * reach / plane.tile);

@@ -15,7 +15,7 @@ use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
 use crate::prepare::{draw, prepare};
 use crate::raster;
-use crate::scene::{Maps, Method, Reach, Scene};
+use crate::scene::{Method, Reach, Scene};
 use crate::tables::{Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables};
 use crate::trace::{self, BLOCK, Part};
 
@@ -56,7 +56,7 @@ fn bytes(scene: &Scene, method: Method) -> u64 {
     let texels: u64 =
         scene.meshes.iter().flat_map(|mesh| &mesh.model.textures).map(|t| count(t.texels.len())).sum();
     let texels = texels + scene.textures.iter().map(|t| count(t.texels.len())).sum::<u64>();
-    faces * FACE + if method == Method::Raster { texels * 16 } else { 0 }
+    faces * FACE + texels * 16
 }
 
 /// Bytes of a face with its corners, and with its share of the tree or of the lists that corners are looked up in.
@@ -86,13 +86,6 @@ impl Work {
         let [width, height] = scene.film.size;
         let kind = match method {
             Method::Trace => {
-                if !scene.meshes.is_empty() {
-                    notes.push("the ray tracer sees models without their maps and with flat faces".to_owned());
-                }
-                if scene.materials.iter().any(|material| material.maps != Maps::default()) {
-                    notes
-                        .push("the ray tracer does not see materials' maps; --method raster draws them".to_owned());
-                }
                 let tables = prepare(scene);
                 let samples = 0..tables.samples;
                 Kind::Traced(Box::new(tables), samples)

@@ -52,7 +52,14 @@ fn around(model: Arc<Model>) -> Scene {
         },
         film: FilmSettings { size: [800, 800], transfer: Transfer::Srgb, background: Vec3::splat(0.6) },
         method: Method::Raster,
-        trace: TraceSettings { samples: 16, depth: 6, specular: Specular::Phong, cutoff: 1.0 / 1024.0, seed: 0 },
+        trace: TraceSettings {
+            samples: 16,
+            depth: 6,
+            specular: Specular::Phong,
+            filter: Filter::Mipmap,
+            cutoff: 1.0 / 1024.0,
+            seed: 0,
+        },
         raster: RasterSettings {
             samples: 4,
             shadow_size: 2048,

@@ -142,6 +142,9 @@ pub struct Trace {
     /// The specular term: "phong" (the reflected light against the eye) or "blinn" (the half vector against the
     /// normal, as in the spec's figures). "phong" unless given.
     pub specular: Specular,
+    /// How textures are read. "mipmap" unless given: the level for what the eye sees itself, and the finest for what
+    /// mirrors and glass show.
+    pub filter: Filter,
     /// A path that counts for no more than this is not followed. 0.0009765625 unless given.
     pub cutoff: Weight,
     /// Chooses another set of random numbers. 0 unless given.
@@ -154,6 +157,7 @@ impl Default for Trace {
             samples: Samples(16),
             depth: Depth(6),
             specular: Specular::Phong,
+            filter: Filter::Mipmap,
             cutoff: Weight(1.0 / 1024.0),
             seed: Seed(0),
         }

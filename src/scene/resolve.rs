@@ -68,6 +68,7 @@ impl Resolver<'_> {
                 samples: trace.samples.0,
                 depth: trace.depth.0,
                 specular: trace.specular,
+                filter: trace.filter,
                 cutoff: trace.cutoff.0,
                 seed: trace.seed.0,
             },

@@ -14,7 +14,7 @@ pub struct Leaf {
     pub b: Vec3,
     /// Which of the materials.
     pub material: u32,
-    /// A triangle's third corner.
+    /// A triangle's third corner; the way in which u of a plane's maps grows, one over a copy's size long.
     pub c: Vec3,
     /// [`TRIANGLE`], [`SPHERE`] or [`PLANE`].
     pub kind: u32,

@@ -42,6 +42,15 @@ pub struct Paint {
     pub exponent_map: Map,
 }
 
+impl Paint {
+    /// Whether no picture is laid over it.
+    #[must_use]
+    pub fn is_bare(&self) -> bool {
+        let maps = [self.diffuse_map, self.normal_map, self.specular_map, self.exponent_map];
+        maps.iter().all(|map| map.first == super::NONE)
+    }
+}
+
 /// A light and the lenses that it sees the scene through.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]

@@ -26,6 +26,12 @@ pub struct Settings {
     pub high: Vec3,
     /// Zero, which no compiler can know: see `wgsl/math/fence.wgsl`.
     pub zero: u32,
+    /// [`NEAREST`](super::NEAREST), [`BILINEAR`](super::BILINEAR) or [`MIPMAP`](super::MIPMAP).
+    pub filtering: u32,
+    /// Zero: room that WGSL asks for.
+    pub pad_a: u32,
+    /// Zero: room that WGSL asks for.
+    pub pad_b: [u32; 2],
 }
 
 /// The reflected light against the eye: the spec's text.

@@ -95,7 +95,14 @@ fn glass(index: f32) -> tables::Material {
 fn bend(index: f32, inside: u32, degrees: f64) -> (Vec3, twinlight::cpu::trace::scatter::Branches) {
     let angle = degrees.to_radians();
     let direction = DVec3::new(angle.sin(), -angle.cos(), 0.0).as_vec3();
-    let surface = Surface { point: Vec3::ZERO, normal: Vec3::Y, material: glass(index), margin: 0.0 };
+    let surface = Surface {
+        point: Vec3::ZERO,
+        normal: Vec3::Y,
+        shading: Vec3::Y,
+        material: glass(index),
+        specular: Vec3::ONE,
+        margin: 0.0,
+    };
     (direction, scatter(direction, inside, &surface, Vec2::splat(0.5)))
 }
 

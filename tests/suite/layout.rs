@@ -75,7 +75,21 @@ fn structs_are_the_same() {
         mirror!(module, Plane { point, material, normal, pad }),
         mirror!(
             module,
-            Settings { background, max_depth, spheres, planes, lights, specular, low, cutoff, high, zero }
+            Settings {
+                background,
+                max_depth,
+                spheres,
+                planes,
+                lights,
+                specular,
+                low,
+                cutoff,
+                high,
+                zero,
+                filtering,
+                pad_a,
+                pad_b
+            }
         ),
         mirror!(module, Slice { first, count, samples, budget }),
         mirror!(module, Sphere { center, radius, material, pad_a, pad_b }),

@@ -3,6 +3,7 @@
 //! No test is skipped: a missing adapter or golden picture is a failure. Where a check could be blind, a planted
 //! fault beside it (`mutants.rs`, `compare.rs`) shows that it sees.
 
+mod agree;
 mod analytic;
 mod animation;
 mod brute;
@@ -35,6 +36,7 @@ mod raster_windows;
 mod schema;
 mod stages;
 mod tidy;
+mod trace_maps;
 mod watertight;
 mod wrong;
 

@@ -1,8 +1,9 @@
 //! Pictures on a scene's own objects: where their texels lie, and what is said of those that cannot be read.
 
 use glam::{Vec2, Vec3};
+use twinlight::cpu::first::first;
 use twinlight::cpu::raster::CpuRaster;
-use twinlight::prepare::draw;
+use twinlight::prepare::{draw, prepare};
 use twinlight::raster;
 use twinlight::scene::model::{Content, Map, Texture};
 use twinlight::scene::{self, Error, Filter, Maps, Plane, Scene, Show, Sphere, Triangle};
@@ -12,14 +13,16 @@ use super::{root, small};
 /// Red, green / blue, white.
 const FOUR: [[u8; 4]; 4] = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255, 255, 255, 255]];
 
-/// The color of the film's only pixel, which looks along -z from `eye`.
+/// The color of the film's only pixel, by either method, which looks along -z from `eye`.
 fn seen(scene: &Scene, eye: Vec3) -> Vec3 {
     let mut scene = scene.clone();
     scene.camera.position = eye;
     scene.camera.look_at = eye - Vec3::Z;
     let drawing = draw(&scene);
     let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, &mut |_| ());
-    film.color(0)
+    let traced = first(&prepare(&scene), 0..1, 0..1)[0].albedo;
+    assert_eq!(film.color(0), traced, "drawn and traced, from {eye}");
+    traced
 }
 
 /// One material, with the four texels as its color.
@@ -34,6 +37,7 @@ fn painted() -> Scene {
     scene.materials[0].maps = Maps { color: Some(map), ..Maps::default() };
     scene.raster.show = Show::Albedo;
     scene.raster.filter = Filter::Nearest;
+    scene.trace.filter = Filter::Nearest;
     scene.camera.fov = 0.01;
     scene
 }

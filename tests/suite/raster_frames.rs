@@ -1,4 +1,4 @@
-//! Whole drawn frames: GPU against CPU in every bit, and the two methods against each other.
+//! Whole drawn frames: GPU against CPU in every bit.
 
 use twinlight::cpu::raster::heat::HEATS;
 use twinlight::film::compare::{Standard, compare};
@@ -9,9 +9,9 @@ use twinlight::prepare::draw;
 use twinlight::render::{Backend, Renderer};
 use twinlight::scene::model::{Content, Map, Texture};
 use twinlight::scene::{Camera, Filter, Light, Maps, Method, Scene, Show, Specular, Triangle};
-use twinlight::tables::{NONE, ONE_SIDED};
+use twinlight::tables::ONE_SIDED;
 
-use super::{Dice, on_cpu, random_scene, root, scene_on_cpu, scene_on_gpu, small, tables_of};
+use super::{Dice, random_scene, root, scene_on_cpu, scene_on_gpu, small};
 
 /// A random scene to be drawn, with pictures on its materials.
 pub(super) fn painted(number: u32) -> Scene {
@@ -95,30 +95,6 @@ fn every_view_and_filter_is_the_same_to_the_bit() {
     }
 }
 
-/// The ray tracer's first hits are what the rasterizer draws, but for the pixels at edges.
-#[test]
-fn the_methods_see_the_same() {
-    let mut scene = random_scene(3);
-    scene.resize([160, 120]).expect("it fits");
-    scene.planes.clear();
-    scene.spheres.clear();
-    scene.trace.samples = 1;
-    scene.raster.samples = 1;
-    let drawn = scene_on_cpu(&twinlight::scene::Scene { method: Method::Raster, ..scene.clone() });
-    let traced = on_cpu(&tables_of(&scene));
-    // The tracer's first sample lies at the pixel's corner, half a pixel off: an edge may lie between.
-    let near = |p: u32, id: u32| {
-        let (x, y) = ((p % 160) as i32, (p / 160) as i32);
-        let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j)));
-        let mut inside = around.filter(|(x, y)| (0..160).contains(x) && (0..120).contains(y));
-        inside.any(|(x, y)| traced.id((y * 160 + x) as u32) == id)
-    };
-    let differ = (0..drawn.pixels()).filter(|&p| !near(p, drawn.id(p))).count();
-    let seen = (0..drawn.pixels()).filter(|&p| drawn.id(p) != NONE).count();
-    assert!(seen > 1000, "an empty picture proves nothing: {seen}");
-    assert!(differ * 100 < seen, "{differ} of {seen}");
-}
-
 /// Eq. 1.1 - 1.5 on paper: half way down the film between depths 1 and 3 lies a quarter of the way along.
 #[test]
 fn perspective_weights_are_the_papers() {
@@ -188,16 +164,16 @@ fn what_a_lights_camera_does_not_see_is_lit() {
 #[test]
 fn planted_faults_in_shading_are_seen() {
     let faults = [
-        ("raster/texture", "level.height - 1 -", "level.height + 1 -"),
-        ("raster/texture", "(x % level.width + level.width) % level.width", "clamp(x, 0, level.width - 1)"),
-        ("raster/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
-        ("raster/texture", "+ map.shift", "- map.shift"),
+        ("shade/texture", "level.height - 1 -", "level.height + 1 -"),
+        ("shade/texture", "(x % level.width + level.width) % level.width", "clamp(x, 0, level.width - 1)"),
+        ("shade/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
+        ("shade/texture", "+ map.shift", "- map.shift"),
         ("raster/weights", "1.0 - at.y", "0.999 - at.y"),
         ("raster/shadow", "row + j", "row"),
         ("raster/shadow", "way.y < 0.0", "way.y > 0.0"),
-        ("raster/shade", "select(1.0, -1.0, turn < 0.0)", "1.0"),
-        ("raster/shade", "map.xy * paint.bump", "map.xy"),
-        ("raster/shade", "paint.specular_map, uv", "paint.diffuse_map, uv"),
+        ("shade/look", "select(1.0, -1.0, turn < 0.0)", "1.0"),
+        ("shade/look", "map.xy * paint.bump", "map.xy"),
+        ("shade/look", "paint.specular_map, f", "paint.diffuse_map, f"),
         ("raster/shade", "n = -n", "n = n"),
     ];
     let scenes: Vec<_> = (0..12).map(painted).collect();

@@ -1,7 +1,7 @@
 // ids -> each visible pixel's color, once
 #import "tables/slice.wgsl"
 #import "raster/weights.wgsl"
-#import "raster/texture.wgsl"
+#import "shade/look.wgsl"
 #import "raster/shadow.wgsl"
 #import "shade/phong.wgsl"
 
@@ -18,39 +18,6 @@
 @group(0) @binding(9) var<storage, read> image: array<u32>;
 // Red, green, blue and the number of samples in the sum: the proof that the pixel was colored.
 @group(0) @binding(10) var<storage, read_write> sums: array<vec4f>;
-
-// Products fenced one by one, summed in one order.
-fn sum_by(w: vec3f, a: vec3f, b: vec3f, c: vec3f) -> vec3f {
-    return vec3f(
-        (hold(a.x * w.x) + hold(b.x * w.y)) + hold(c.x * w.z),
-        (hold(a.y * w.x) + hold(b.y * w.y)) + hold(c.y * w.z),
-        (hold(a.z * w.x) + hold(b.z * w.y)) + hold(c.z * w.z),
-    );
-}
-
-fn uv_by(w: vec3f, a: Vertex, b: Vertex, c: Vertex) -> vec2f {
-    return sum_by(w, vec3f(a.u, a.v, 0.0), vec3f(b.u, b.v, 0.0), vec3f(c.u, c.v, 0.0)).xy;
-}
-
-// The normal of a map in world space: T and B are what an edge's u and v stand for (spec, "Get the normal for a
-// fragment"), N is interpolated.
-fn bumped(n: vec3f, a: Vertex, b: Vertex, c: Vertex, tangent: vec3f) -> vec3f {
-    let e = b.position - a.position;
-    let f = c.position - a.position;
-    let du = vec2f(b.u - a.u, c.u - a.u);
-    let dv = vec2f(b.v - a.v, c.v - a.v);
-    let turn = hold(du.x * dv.y) - hold(du.y * dv.x);
-    if (turn == 0.0) {
-        return n;
-    }
-    let side = select(1.0, -1.0, turn < 0.0);
-    let along_u = sum_by(vec3f(dv.y * side, -(dv.x * side), 0.0), e, f, vec3f(0.0));
-    let along_v = sum_by(vec3f(-(du.y * side), du.x * side, 0.0), e, f, vec3f(0.0));
-    if (dot(along_u, along_u) == 0.0 || dot(along_v, along_v) == 0.0) {
-        return n;
-    }
-    return unit(sum_by(tangent, unit(along_u), unit(along_v), n));
-}
 
 // Another color for every number.
 fn color_of(id: u32) -> vec3f {
@@ -75,22 +42,11 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let right = uv_by(weights(ca, cb, cc, at + vec2f(1.0, 0.0)), a, b, c);
     let down = uv_by(weights(ca, cb, cc, at + vec2f(0.0, 1.0)), a, b, c);
 
-    var albedo = paint.color;
-    if (paint.diffuse_map.first != NONE) {
-        albedo *= sample_map(paint.diffuse_map, uv, right, down, true);
-    }
-    var weight = paint.specular;
-    if (paint.specular_map.first != NONE) {
-        weight *= sample_map(paint.specular_map, uv, right, down, false);
-    }
-    var exponent = paint.exponent;
-    if (paint.exponent_map.first != NONE) {
-        exponent *= sample_map(paint.exponent_map, uv, right, down, false).x;
-    }
+    let look = look_of(paint, canvas.filtering, uv, right, down);
+    let albedo = paint.color * look.color;
     var n = unit(sum_by(w, a.normal, b.normal, c.normal));
     if (paint.normal_map.first != NONE) {
-        let map = sample_map(paint.normal_map, uv, right, down, false) * 2.0 - 1.0;
-        n = bumped(n, a, b, c, vec3f(map.xy * paint.bump, map.z));
+        n = bumped(n, a, b, c, look.tangent);
     }
     let v = unit(canvas.eye - p);
     // A face that is seen from its back shows its back.
@@ -111,9 +67,9 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         open += share / f32(canvas.lamps);
         if (dot(n, l) > 0.0) {
             let power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
-            let terms = phong(n, l, v, exponent, canvas.specular);
+            let terms = phong(n, l, v, look.exponent, canvas.specular);
             diffuse += power * terms.x;
-            specular += weight * power * terms.y;
+            specular += look.specular * power * terms.y;
         }
     }
     switch (canvas.show) {

@@ -8,7 +8,7 @@ struct Leaf {
     b: vec3f,
     // Which of the materials.
     material: u32,
-    // A triangle's third corner.
+    // A triangle's third corner; the way in which u of a plane's maps grows, one over a copy's size long.
     c: vec3f,
     // TRIANGLE, SPHERE or PLANE.
     kind: u32,

@@ -17,6 +17,10 @@ struct Settings {
     high: vec3f,
     // Zero, which no compiler can know: see math/fence.
     zero: u32,
+    // NEAREST, BILINEAR or MIPMAP.
+    filtering: u32,
+    pad_a: u32,
+    pad_b: vec2u,
 }
 
 const PHONG: u32 = 0u;

@@ -10,11 +10,17 @@ fn follow(path: ptr<function, Path>, i: u32) {
     var turns = 0u;
     var spent = false;
     var flags = 0u;
+    // Of the hit in hand: its pictures are read once, however many lights are asked.
+    var surface: Surface;
+    var known = false;
     while (((*path).state == SEEK || (*path).state == LIT) && turns < slice.budget && !spent) {
         var asked = Lit();
         if ((*path).state == LIT) {
-            let ray = Ray((*path).origin, (*path).direction, (*path).leaves);
-            let surface = surface_at(ray, (*path).t, (*path).hit);
+            if (!known) {
+                let ray = Ray((*path).origin, (*path).direction, (*path).leaves);
+                surface = surface_at(ray, (*path).t, (*path).hit);
+                known = true;
+            }
             while ((*path).light < settings.lights && turns < slice.budget && asked.reach == 0.0) {
                 turns += 1u;
                 asked = lit(path, surface, lights[(*path).light]);
@@ -30,6 +36,7 @@ fn follow(path: ptr<function, Path>, i: u32) {
             }
             if (asked.reach == 0.0) {
                 go_on(path, i, surface);
+                known = false;
             }
         }
         // The tree's own ray, or a shadow ray of its hit.

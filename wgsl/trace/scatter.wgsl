@@ -18,7 +18,11 @@ struct Branches {
 // `random`: two numbers of the ray's own.
 fn scatter(direction: vec3f, inside: u32, surface: Surface, random: vec2f) -> Branches {
     let material = surface.material;
-    let n = surface.normal;
+    // A normal that is bent so far that the mirror direction lies below the surface counts for nothing.
+    var n = surface.shading;
+    if (!(dot(direction, n) < 0.0 && dot(mirror(-direction, n), surface.normal) > 0.0)) {
+        n = surface.normal;
+    }
     let reflection = mirror(-direction, n);
     var reflected = Branch(reflection, vec3f(material.reflect_weight), inside);
     var refracted = Branch(reflection, vec3f(0.0), inside);
@@ -39,11 +43,14 @@ fn scatter(direction: vec3f, inside: u32, surface: Surface, random: vec2f) -> Br
         let ratio = select(1.0 / material.index, material.index, inside == 1u);
         let cosine = dot(direction, n);
         let root = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-        if (root < 0.0) {
+        let bent = unit(direction * ratio - n * (ratio * cosine + sqrt(root)));
+        // What a bent normal would refract to this side of the surface does not get through either.
+        let above = any(n != surface.normal) && dot(bent, surface.normal) > 0.0;
+        if (root < 0.0 || above) {
             // Beyond the critical angle everything is reflected.
             reflected.weight = vec3f(material.reflect_weight + material.refract_weight);
         } else {
-            refracted.direction = unit(direction * ratio - n * (ratio * cosine + sqrt(root)));
+            refracted.direction = bent;
             refracted.weight = vec3f(material.refract_weight);
             refracted.inside = 1u - inside;
         }

@@ -1,14 +1,19 @@
-// a hit -> the point, the normal that faces the ray, and the material
+// a hit -> the point, the normals that face the ray, and the material
 #import "tables/material.wgsl"
 #import "math/vector.wgsl"
-#import "trace/walk.wgsl"
+#import "trace/detail.wgsl"
 
 @group(0) @binding(4) var<storage, read> materials: array<Material>;
 
 struct Surface {
     point: vec3f,
+    // Of the primitive.
     normal: vec3f,
+    // That it is lit by: between a triangle's corners, and as a normal map says.
+    shading: vec3f,
     material: Material,
+    // Weight of the specular term.
+    specular: vec3f,
     // How far off the point rays start: triangles have neighbors, of which some are off by rounding.
     margin: f32,
 }
@@ -39,8 +44,16 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
         let size = max(abs(leaf.a), max(abs(leaf.b), abs(leaf.c)));
         margin = max(size.x, max(size.y, size.z)) * 9.536743e-7;
     }
+    let detail = detail_at(ray, leaf, point, normal);
+    var shading = detail.normal;
     if (dot(normal, ray.direction) > 0.0) {
         normal = -normal;
+        shading = -shading;
     }
-    return Surface(point, normal, materials[leaf.material], margin);
+    var material = materials[leaf.material];
+    material.color *= detail.look.color;
+    material.exponent = detail.look.exponent;
+    let size = dot(material.color, material.color);
+    material.tint = select(vec3f(0.0), unit(material.color), size > 0.0);
+    return Surface(point, normal, shading, material, detail.look.specular, margin);
 }

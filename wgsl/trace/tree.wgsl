@@ -102,11 +102,11 @@ fn lit(path: ptr<function, Path>, surface: Surface, source: Light) -> Lit {
     let toward = select(source.place, source.place - origin, point_light);
     let shadow = Ray(origin, toward, (*path).hit);
     let l = unit(toward);
-    if (!(dot(l, surface.normal) > 0.0)) {
+    if (!(dot(l, surface.normal) > 0.0 && dot(l, surface.shading) > 0.0)) {
         return Lit(vec3f(0.0), shadow, 0.0);
     }
-    let terms = phong(surface.normal, l, -(*path).direction, surface.material.exponent, settings.specular);
-    let strength = surface.material.local_weight * (terms.x + terms.y);
+    let terms = phong(surface.shading, l, -(*path).direction, surface.material.exponent, settings.specular);
+    let strength = surface.material.local_weight * (vec3f(terms.x) + surface.specular * terms.y);
     let color = (*path).weight * (surface.material.color * (source.power * strength));
     return Lit(color, shadow, select(FAR, 1.0, point_light));
 }

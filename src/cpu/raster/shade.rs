@@ -6,43 +6,15 @@ use glam::{Vec2, Vec3, Vec4};
 
 use super::shadow::reaches;
 use super::snap::to_clip;
-use super::texture::sample_map;
 use super::weights::{weights, weights_inside};
+use crate::cpu::shade::look::{bumped, look_of, sum_by, uv_by};
 use crate::cpu::shade::phong::phong;
-use crate::cpu::witness::{Fragment, Picture, Term, Witness};
+use crate::cpu::witness::{Fragment, Term, Witness};
 use crate::math::vector::unit;
 use crate::tables::{
-    Drawing, Lens, Map, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE,
-    SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV, Vertex,
+    Drawing, Lens, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE, SHOW_ID,
+    SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
 };
-
-fn sum_by(w: Vec3, a: Vec3, b: Vec3, c: Vec3) -> Vec3 {
-    (a * w.x + b * w.y) + c * w.z
-}
-
-fn uv_by(w: Vec3, [a, b, c]: [&Vertex; 3]) -> Vec2 {
-    (Vec2::new(a.u, a.v) * w.x + Vec2::new(b.u, b.v) * w.y) + Vec2::new(c.u, c.v) * w.z
-}
-
-/// The normal of a map in world space: T and B are what an edge's u and v stand for (spec, "Get the normal for a
-/// fragment"), N is interpolated.
-fn bumped(n: Vec3, [a, b, c]: [&Vertex; 3], tangent: Vec3, witness: &mut impl Witness) -> Vec3 {
-    let (e, f) = (b.position - a.position, c.position - a.position);
-    let (du, dv) = ([b.u - a.u, c.u - a.u], [b.v - a.v, c.v - a.v]);
-    let turn = du[0] * dv[1] - du[1] * dv[0];
-    if turn == 0.0 {
-        return n;
-    }
-    let side = if turn < 0.0 { -1.0 } else { 1.0 };
-    let along_u = sum_by(Vec3::new(dv[1] * side, -(dv[0] * side), 0.0), e, f, Vec3::ZERO);
-    let along_v = sum_by(Vec3::new(-(du[1] * side), du[0] * side, 0.0), e, f, Vec3::ZERO);
-    if along_u.dot(along_u) == 0.0 || along_v.dot(along_v) == 0.0 {
-        return n;
-    }
-    let (t, b) = (unit(along_u), unit(along_v));
-    witness.tangents([t, b]);
-    unit(sum_by(tangent, t, b, n))
-}
 
 /// Another color for every number.
 fn color_of(id: u32) -> Vec3 {
@@ -73,29 +45,12 @@ fn color_at(
         uv_by(weights(lens, clip, at + Vec2::X), corners),
         uv_by(weights(lens, clip, at + Vec2::Y), corners),
     ];
-    let mut read = |of, map: &Map, decode| {
-        let value = sample_map(&drawing.texels, canvas.filtering, map, uvs, decode);
-        witness.texel(of, value);
-        value
-    };
-
-    let mut albedo = paint.color;
-    if paint.diffuse_map.first != NONE {
-        albedo *= read(Picture::Diffuse, &paint.diffuse_map, true);
-    }
-    let mut weight = paint.specular;
-    if paint.specular_map.first != NONE {
-        weight *= read(Picture::Specular, &paint.specular_map, false);
-    }
-    let mut exponent = paint.exponent;
-    if paint.exponent_map.first != NONE {
-        exponent *= read(Picture::Exponent, &paint.exponent_map, false).x;
-    }
+    let look = look_of(&drawing.texels, canvas.filtering, paint, uvs, witness);
+    let albedo = paint.color * look.color;
     let smooth = unit(sum_by(w, a.normal, b.normal, c.normal));
     let mut n = smooth;
     if paint.normal_map.first != NONE {
-        let map = read(Picture::Normal, &paint.normal_map, false) * 2.0 - 1.0;
-        n = bumped(n, corners, Vec3::new(map.x * paint.bump, map.y * paint.bump, map.z), witness);
+        n = bumped(n, corners, look.tangent, witness);
     }
     let v = unit(canvas.eye - p);
     // A face that is seen from its back shows its back.
@@ -108,8 +63,8 @@ fn color_at(
         point: p,
         uv: uvs[0],
         albedo,
-        specular: weight,
-        exponent,
+        specular: look.specular,
+        exponent: look.exponent,
         smooth,
         normal: n,
         view: v,
@@ -123,9 +78,9 @@ fn color_at(
         let mut term = Term { toward: l, share, ..Term::default() };
         if n.dot(l) > 0.0 {
             term.power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
-            term.phong = phong(n, l, v, exponent, canvas.specular);
+            term.phong = phong(n, l, v, look.exponent, canvas.specular);
             term.diffuse = term.power * term.phong[0];
-            term.specular = weight * term.power * term.phong[1];
+            term.specular = look.specular * term.power * term.phong[1];
             diffuse += term.diffuse;
             specular += term.specular;
         }

@@ -24,11 +24,13 @@ pub fn follow(
 ) {
     let settings = &tables.settings;
     let mut turns = 0_u32;
+    // Of the hit in hand: its pictures are read once, however many lights are asked.
+    let mut known = None;
     while (path.state == SEEK || path.state == LIT) && turns < slice.budget {
         let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
         let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0, phong: [0.0; 2] };
         if path.state == LIT {
-            let surface = surface_at(tables, own_ray, path.t, path.hit);
+            let surface = *known.get_or_insert_with(|| surface_at(tables, own_ray, path.t, path.hit));
             witness.met(path, path.t, &surface);
             while path.light < settings.lights && turns < slice.budget && asked.reach == 0.0 {
                 turns += 1;
@@ -43,6 +45,7 @@ pub fn follow(
             }
             if asked.reach == 0.0 {
                 go_on(tables, slice, i, &surface, path, waiting, status, witness);
+                known = None;
             }
         }
         // The tree's own ray, or a shadow ray of its hit.

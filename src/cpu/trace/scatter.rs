@@ -32,7 +32,12 @@ pub struct Branches {
 #[must_use]
 pub fn scatter(direction: Vec3, inside: u32, surface: &Surface, random: Vec2) -> Branches {
     let material = surface.material;
-    let n = surface.normal;
+    // A normal that is bent so far that the mirror direction lies below the surface counts for nothing.
+    let mut n = surface.shading;
+    let above = direction.dot(n) < 0.0 && mirror(-direction, n).dot(surface.normal) > 0.0;
+    if !above {
+        n = surface.normal;
+    }
     let reflection = mirror(-direction, n);
     let mut reflected = Branch { direction: reflection, weight: Vec3::splat(material.reflect_weight), inside };
     let mut refracted = Branch { direction: reflection, weight: Vec3::ZERO, inside };
@@ -50,11 +55,14 @@ pub fn scatter(direction: Vec3, inside: u32, surface: &Surface, random: Vec2) ->
         let ratio = if inside == 1 { material.index } else { 1.0 / material.index };
         let cosine = direction.dot(n);
         let root = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
-        if root < 0.0 {
+        let bent = unit(direction * ratio - n * (ratio * cosine + root.sqrt()));
+        // What a bent normal would refract to this side of the surface does not get through either.
+        let above = n != surface.normal && bent.dot(surface.normal) > 0.0;
+        if root < 0.0 || above {
             // Beyond the critical angle everything is reflected.
             reflected.weight = Vec3::splat(material.reflect_weight + material.refract_weight);
         } else {
-            refracted.direction = unit(direction * ratio - n * (ratio * cosine + root.sqrt()));
+            refracted.direction = bent;
             refracted.weight = Vec3::splat(material.refract_weight);
             refracted.inside = 1 - inside;
         }

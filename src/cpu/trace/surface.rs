@@ -1,8 +1,9 @@
-//! a hit -> the point, the normal that faces the ray, and the material
+//! a hit -> the point, the normals that face the ray, and the material
 
 use glam::Vec3;
 
 use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::detail::detail_at;
 use crate::math::vector::unit;
 use crate::tables::{Material, PLANE, SPHERE, Tables};
 
@@ -11,10 +12,14 @@ use crate::tables::{Material, PLANE, SPHERE, Tables};
 pub struct Surface {
     /// In world space.
     pub point: Vec3,
-    /// Of length one, on the ray's side.
+    /// Of the primitive: of length one, on the ray's side.
     pub normal: Vec3,
+    /// That it is lit by: between a triangle's corners, and as a normal map says.
+    pub shading: Vec3,
     /// What it is made of.
     pub material: Material,
+    /// Weight of the specular term.
+    pub specular: Vec3,
     /// How far off the point rays start: triangles have neighbors, of which some are off by rounding.
     pub margin: f32,
 }
@@ -49,8 +54,16 @@ pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
             (along - normal * normal.dot(along - leaf.a), normal, margin)
         }
     };
+    let detail = detail_at(tables, ray, leaf, point, normal);
+    let mut shading = detail.normal;
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;
+        shading = -shading;
     }
-    Surface { point, normal, material: tables.materials[leaf.material as usize], margin }
+    let mut material = tables.materials[leaf.material as usize];
+    material.color *= detail.look.color;
+    material.exponent = detail.look.exponent;
+    let size = material.color.dot(material.color);
+    material.tint = if size > 0.0 { unit(material.color) } else { Vec3::ZERO };
+    Surface { point, normal, shading, material, specular: detail.look.specular, margin }
 }

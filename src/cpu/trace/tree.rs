@@ -116,14 +116,14 @@ pub fn lit(tables: &Tables, path: &Path, surface: &Surface, source: &Light) -> L
     let shadow = Ray { origin, direction: toward, leaves: path.hit };
     let l = unit(toward);
     // A comparison that a light in the very point fails too: its direction is not a number.
-    let lights = l.dot(surface.normal) > 0.0;
+    let lights = l.dot(surface.normal) > 0.0 && l.dot(surface.shading) > 0.0;
     if !lights {
         return Lit { color: Vec3::ZERO, shadow, reach: 0.0, phong: [0.0; 2] };
     }
     let material = &surface.material;
     let [diffuse, specular] =
-        phong(surface.normal, l, -path.direction, material.exponent, tables.settings.specular);
-    let strength = material.local_weight * (diffuse + specular);
+        phong(surface.shading, l, -path.direction, material.exponent, tables.settings.specular);
+    let strength = material.local_weight * (Vec3::splat(diffuse) + surface.specular * specular);
     let color = path.weight * (material.color * (source.power * strength));
     Lit { color, shadow, reach: if point_light { 1.0 } else { FAR }, phong: [diffuse, specular] }
 }

@@ -1,5 +1,7 @@
 //! a ray and a scene of few primitives -> its nearest hit, whether it is free, and the surface; all without loops
 
+use glam::Vec3;
+
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere};
 use crate::cpu::trace::surface::Surface;
@@ -53,5 +55,6 @@ pub fn surface_of(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;
     }
-    Surface { point, normal, material: tables.materials[material as usize], margin: 0.0 }
+    let material = tables.materials[material as usize];
+    Surface { point, normal, shading: normal, material, specular: Vec3::ONE, margin: 0.0 }
 }

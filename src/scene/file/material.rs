@@ -16,7 +16,7 @@ pub struct Material {
     #[serde(default = "super::white")]
     pub color: Color,
     /// A picture that its color is multiplied with. PNG, JPEG or TGA, relative to the scene's folder and inside it, as
-    /// all of a material's pictures; the rasterizer draws them.
+    /// all of a material's pictures.
     #[serde(default)]
     #[schemars(with = "String")]
     pub color_map: Option<At<String>>,

@@ -58,7 +58,7 @@ pub enum Filter {
     Mipmap,
 }
 
-/// A model from an OBJ file, with the materials and textures that it names; for the rasterizer.
+/// A model from an OBJ file, with the materials and textures that it names.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mesh {

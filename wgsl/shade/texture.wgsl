@@ -2,7 +2,8 @@
 #import "tables/paint.wgsl"
 #import "tables/settings.wgsl"
 #import "math/power.wgsl"
-#import "raster/hold.wgsl"
+
+// `hold` and `texels` are each method's own.
 
 // A level of a map: its first texel and its size.
 struct Level {
@@ -52,15 +53,15 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
 }
 
 // `right` and `down`: the texture coordinates one pixel further on.
-fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
+fn sample_map(map: Map, filtering: u32, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     let u = full.x - floor(full.x);
     let v = full.y - floor(full.y);
     let finest = level_of(map, 0u);
-    if (canvas.filtering == NEAREST) {
+    if (filtering == NEAREST) {
         return texel(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
     }
-    if (canvas.filtering == BILINEAR) {
+    if (filtering == BILINEAR) {
         return bilinear(finest, u, v, decode);
     }
     let size = map.scale * vec2f(f32(map.width), f32(map.height));

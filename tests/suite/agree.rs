@@ -1,0 +1,214 @@
+//! The two methods against each other: the same camera and the same scene, the same things seen, in the same light.
+
+use twinlight::cpu::first::{First, first};
+use twinlight::film::Film;
+use twinlight::film::compare::{Measure, Standard, TOLERANCES};
+use twinlight::math::Vec3;
+use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
+use twinlight::tables::{NONE, Tables};
+
+use super::raster_frames::painted;
+use super::{on_cpu, root, scene_on_cpu, small, tables_of};
+
+/// One sample in the middle of each pixel, where the rasterizer's lies; light without ambient light and half shadows.
+fn alike(mut scene: Scene) -> Scene {
+    scene.trace.samples = 1;
+    scene.trace.filter = scene.raster.filter;
+    scene.trace.specular = scene.raster.specular;
+    scene.raster.samples = 1;
+    scene.raster.shadow = 0.0;
+    scene.raster.blur = 0;
+    scene.raster.shadow_size = 2048;
+    scene.raster.ambient = Vec3::ZERO;
+    // Nothing is seen in mirrors, which the rasterizer does not draw.
+    for material in &mut scene.materials {
+        (material.reflect, material.refract) = (0.0, 0.0);
+    }
+    scene
+}
+
+/// The tables of a scene, seen through the middles of the pixels.
+fn centered(scene: &Scene) -> Tables {
+    let mut tables = tables_of(scene);
+    let view = &mut tables.view;
+    view.back -= view.right * (0.5 / view.width as f32) + view.up * (0.5 / view.height as f32);
+    tables
+}
+
+/// What a drawn face belongs to, as the ray tracer counts it: a sphere or a plane, or a triangle of its own.
+fn traced_id(scene: &Scene, id: u32) -> u32 {
+    if id == NONE {
+        return NONE;
+    }
+    let count = |n: usize| n as u32;
+    let meshes: u32 = scene.meshes.iter().map(|mesh| count(mesh.model.triangles.len())).sum();
+    let [spheres, planes, triangles] = [scene.spheres.len(), scene.planes.len(), scene.triangles.len()].map(count);
+    // Of a sphere 96 x 48 squares are drawn, of a plane one.
+    let of_sphere = 2 * 96 * 48;
+    let before = [meshes, spheres * of_sphere, triangles, planes * 2];
+    let mut rest = id;
+    for (kind, count) in before.into_iter().enumerate() {
+        if rest < count {
+            return match kind {
+                0 => spheres + planes + triangles + rest,
+                1 => rest / of_sphere,
+                2 => spheres + planes + rest,
+                _ => spheres + rest / 2,
+            };
+        }
+        rest -= count;
+    }
+    panic!("there is no face {id}");
+}
+
+/// What was found where neither picture has an edge.
+#[derive(Debug, Default)]
+struct Found {
+    /// Pixels that see something, more than one off the next edge.
+    inner: u32,
+    /// Those of them in which the methods see different things.
+    others: u32,
+    /// Pixels in which they see the same, and the same share of the lights.
+    alike: u32,
+    /// Those of them whose colors differ by more than 2/255.
+    off: u32,
+}
+
+impl Found {
+    fn agrees(&self) -> bool {
+        let most = |measure| {
+            let mut asked =
+                TOLERANCES.iter().filter(|row| row.what == measure && row.asked.contains(&Standard::Near));
+            asked.next().expect("a row of the table").most
+        };
+        f64::from(self.others) <= most(Measure::InnerIds)
+            && f64::from(self.off) <= most(Measure::Steps) * f64::from(self.alike)
+    }
+}
+
+/// Compares what was drawn, and what of it was open to the lights, with what was traced.
+fn judge(scene: &Scene, color: &Film, open: &Film, traced: &Film, met: &[First]) -> Found {
+    let (width, height) = (color.width() as i32, color.height() as i32);
+    let ids: [Vec<u32>; 2] = [color.ids().iter().map(|id| traced_id(scene, *id)).collect(), traced.ids().to_vec()];
+    let mut found = Found::default();
+    for p in 0..color.pixels() {
+        let (x, y) = (p as i32 % width, p as i32 / width);
+        let around = (-1..=1).flat_map(|j| (-1..=1).map(move |i| (x + i, y + j)));
+        let inside = around.filter(|(x, y)| (0..width).contains(x) && (0..height).contains(y));
+        let around: Vec<usize> = inside.map(|(x, y)| (y * width + x) as usize).collect();
+        let here = p as usize;
+        // What is nearer or farther than the planes is the ray tracer's alone.
+        let drawn = scene.camera.near * 1.001..scene.camera.far * 0.999;
+        if ids[0][here] == NONE
+            || !around.iter().all(|&q| drawn.contains(&met[q].depth))
+            || ids.iter().any(|ids| around.iter().any(|&q| ids[q] != ids[here]))
+        {
+            continue;
+        }
+        found.inner += 1;
+        if ids[0][here] != ids[1][here] {
+            found.others += 1;
+            continue;
+        }
+        // Shadow maps have edges of their own.
+        if around.iter().any(|&q| open.color(q as u32).x != met[here].shadow || met[q].shadow != met[here].shadow) {
+            continue;
+        }
+        found.alike += 1;
+        let apart = (color.color(p) - traced.color(p)).abs().max_element();
+        found.off += u32::from(apart > 2.0 / 255.0);
+    }
+    found
+}
+
+fn found(scene: &Scene, tables: &Tables) -> Found {
+    let drawn = |show| {
+        let mut scene = scene.clone();
+        (scene.method, scene.raster.show) = (Method::Raster, show);
+        scene_on_cpu(&scene)
+    };
+    let [width, height] = scene.film.size;
+    let met = first(tables, 0..width, 0..height);
+    judge(scene, &drawn(Show::Color), &drawn(Show::Shadow), &on_cpu(tables), &met)
+}
+
+fn bust() -> Scene {
+    let mut scene = small(&root().join("scenes/bust.toml"), [480, 480], 1);
+    scene.camera.fov *= 0.6;
+    scene.lights.truncate(1);
+    alike(scene)
+}
+
+/// A scene of everything with pictures on it, under one light.
+fn disorder(number: u32) -> Scene {
+    let mut scene = painted(number);
+    scene.resize([200, 150]).expect("it fits");
+    let toward = Vec3::new(0.48, 0.6, 0.64);
+    scene.lights = vec![Light::Directional { toward, power: Vec3::splat(0.9), camera: None }];
+    // At the edges of texels of noise the last bit counts for all of their difference.
+    scene.raster.filter = [Filter::Bilinear, Filter::Mipmap][number as usize % 2];
+    for plane in &mut scene.planes {
+        plane.tile *= 10.0;
+    }
+    // What is drawn of a sphere has corners.
+    scene.spheres.clear();
+    alike(scene)
+}
+
+#[test]
+fn the_bust_looks_the_same_by_both_methods() {
+    let mut scene = bust();
+    for filter in [Filter::Nearest, Filter::Bilinear, Filter::Mipmap] {
+        for specular in [Specular::Phong, Specular::Blinn] {
+            (scene.trace.filter, scene.raster.filter) = (filter, filter);
+            (scene.trace.specular, scene.raster.specular) = (specular, specular);
+            let found = found(&scene, &centered(&scene));
+            let enough = found.alike * 4 > found.inner * 3 && found.alike > 30_000;
+            assert!(found.agrees() && enough, "{filter:?}, {specular:?}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn scenes_in_disorder_look_the_same_by_both_methods() {
+    let mut alike = 0;
+    for number in 0..40 {
+        let scene = disorder(number);
+        let found = found(&scene, &centered(&scene));
+        assert!(found.agrees(), "scene {number}: {found:?}");
+        alike += found.alike;
+    }
+    assert!(alike > 300_000, "{alike} pixels are no test");
+}
+
+/// A smooth sphere, of which the rasterizer draws 96 x 48 squares.
+#[test]
+fn a_sphere_looks_the_same_by_both_methods() {
+    let mut scene = small(&root().join("scenes/stones.toml"), [200, 150], 1);
+    scene.lights.truncate(1);
+    scene.planes.clear();
+    let scene = alike(scene);
+    let found = found(&scene, &centered(&scene));
+    assert!(found.agrees() && found.alike > 3000, "{found:?}");
+}
+
+#[test]
+fn planted_disagreements_are_seen() {
+    let scene = bust();
+    let faults: [fn(&mut Tables); 8] = [
+        |t| t.view.back += t.view.right * (0.5 / t.view.width as f32),
+        |t| t.vertices.iter_mut().for_each(|v| v.normal = (v.normal + Vec3::X * 0.05).normalize()),
+        |t| t.paints.iter_mut().for_each(|p| p.bump *= 1.2),
+        |t| t.paints.iter_mut().for_each(|p| p.exponent *= 3.0),
+        |t| t.paints.iter_mut().for_each(|p| p.specular *= 0.5),
+        |t| t.paints.iter_mut().for_each(|p| p.diffuse_map.shift.x += 0.01),
+        |t| t.lights[0].power *= 1.2,
+        |t| t.leaves.iter_mut().for_each(|leaf| leaf.id ^= 1),
+    ];
+    for (i, fault) in faults.into_iter().enumerate() {
+        let mut tables = centered(&scene);
+        fault(&mut tables);
+        let found = found(&scene, &tables);
+        assert!(!found.agrees(), "nobody sees fault {i}: {found:?}");
+    }
+}
