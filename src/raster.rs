@@ -2,10 +2,11 @@
 //!
 //! ```text
 //! each light:  project -> split -> cut -> count -> scan -> fill -> cover                  -> shadows
-//! each sample: project -> split -> cut -> count -> scan -> fill -> cover -> mark -> shade -> Film
+//! each sample: project -> split -> cut -> count -> scan -> fill -> cover -> mark
+//!              -> sift -> shade, ground                                                    -> Film
 //! ```
 //!
-//! Instead of shade, crowd -> heat show how much each tile has to do (`--show tiles`).
+//! Instead of sift, shade and ground, crowd -> heat show how much each tile has to do (`--show tiles`).
 //!
 //! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in
 //! integers and by a maximum, so neither the order of the work nor its division can show in the picture: small faces
@@ -97,11 +98,23 @@ pub trait Raster {
     /// If the stage cannot be done.
     fn mark(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
-    /// ids -> each visible pixel's color, once
+    /// ids -> the runs of pixels that show a face, and those that show none
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn sift(&mut self, lens: &Lens, image: &Self::Image) -> Result<(), Self::Error>;
+
+    /// runs that show a face -> each pixel's color, once
     ///
     /// # Errors
     /// If the stage cannot be done.
     fn shade(&mut self, lens: &Lens, image: &Self::Image, shadows: &Self::Image) -> Result<(), Self::Error>;
+
+    /// runs that show no face -> the background, once
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn ground(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
     /// small faces -> how many of them each tile has, beside those of its lists
     ///
@@ -187,7 +200,9 @@ pub fn part<R: Raster>(
                 stages.crowd(eye)?;
                 stages.heat(eye)?;
             } else {
+                stages.sift(eye, &image)?;
                 stages.shade(eye, &image, &shadows)?;
+                stages.ground(eye)?;
             }
             // What is done cannot be stopped any more.
             if step(&mut done).is_break() && done < passes {

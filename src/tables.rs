@@ -17,6 +17,7 @@ mod settings;
 mod slice;
 mod sphere;
 mod status;
+mod texel;
 mod view;
 
 pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
@@ -36,6 +37,7 @@ pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};
 pub use sphere::Sphere;
 pub use status::{CUT_SHORT, STACK_FULL, Status};
+pub use texel::ROW;
 pub use view::View;
 
 /// A scene as both sides read it. Primitives are counted through: spheres, planes, triangles, then the models' own.

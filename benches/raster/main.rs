@@ -4,6 +4,8 @@
 //! end, and how many pixels agree (`-- "8 px"` for the scenes whose name has that in it; `-- --stages` for each stage's
 //! time, waited for one by one).
 
+mod frames;
+mod full;
 mod peer;
 mod scenes;
 
@@ -113,6 +115,11 @@ fn main() {
         ("64 full-screen, 32 layers", |size| scenes::sheets(size, [1, 1], 32)),
         ("4 M of 0.5 px", |size| scenes::sheets(size, [2000, 1000], 1)),
     ];
+    for (name, make) in frames::SCENES {
+        if names.is_empty() || names.iter().any(|wanted| name.contains(wanted)) {
+            frames::whole(&gpu, name, &make(size), by_stage);
+        }
+    }
     println!(
         "{}, {} x {}, depth only: the peer, ours, how many times as fast",
         gpu.adapter().name,

@@ -122,29 +122,37 @@ impl<'a> Peer<'a> {
 
     /// The depths, row by row: 1 where nothing is.
     pub(crate) fn depths(&self) -> Vec<f32> {
-        let device = self.gpu.device();
-        let size = self.depth.size();
-        let row = (size.width * 4).next_multiple_of(256);
-        let staging = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("peer staging"),
-            size: u64::from(row * size.height),
-            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_texture_to_buffer(
-            wgpu::TexelCopyTextureInfo { aspect: wgpu::TextureAspect::DepthOnly, ..self.depth.as_image_copy() },
-            wgpu::TexelCopyBufferInfo {
-                buffer: &staging,
-                layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None },
-            },
-            size,
-        );
-        self.gpu.queue().submit([encoder.finish()]);
-        staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        device.poll(wgpu::PollType::wait_indefinitely()).expect("the peer's depths");
-        let mapped = staging.get_mapped_range(..).expect("mapped");
-        let rows = mapped.chunks_exact(row as usize);
-        rows.flat_map(|row| bytemuck::pod_collect_to_vec::<u8, f32>(&row[..size.width as usize * 4])).collect()
+        texels(self.gpu, &self.depth, wgpu::TextureAspect::DepthOnly)
     }
+}
+
+/// What a texture holds, row by row.
+pub(crate) fn texels<T: bytemuck::Pod>(gpu: &Gpu, texture: &wgpu::Texture, aspect: wgpu::TextureAspect) -> Vec<T> {
+    let size = texture.size();
+    let bytes = size.width as usize * size_of::<T>();
+    let row = bytes.next_multiple_of(256);
+    let staging = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+        label: Some("peer staging"),
+        size: row as u64 * u64::from(size.height),
+        usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_texture_to_buffer(
+        wgpu::TexelCopyTextureInfo { aspect, ..texture.as_image_copy() },
+        wgpu::TexelCopyBufferInfo {
+            buffer: &staging,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row as u32),
+                rows_per_image: None,
+            },
+        },
+        size,
+    );
+    gpu.queue().submit([encoder.finish()]);
+    staging.map_async(wgpu::MapMode::Read, .., |_| {});
+    gpu.device().poll(wgpu::PollType::wait_indefinitely()).expect("the peer's picture");
+    let mapped = staging.get_mapped_range(..).expect("mapped");
+    mapped.chunks_exact(row).flat_map(|row| bytemuck::pod_collect_to_vec::<u8, T>(&row[..bytes])).collect()
 }

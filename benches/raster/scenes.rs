@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable as _;
 use glam::Vec3;
-use twinlight::prepare::lens::{Pose, perspective};
+use twinlight::prepare::lens::{Pose, orthographic, perspective};
 use twinlight::tables::{Canvas, Drawing, Face, Paint, Vertex};
 
 /// Random numbers of a fixed seed: a PCG hash of a counter.
@@ -69,5 +69,19 @@ pub(crate) fn shuffled(mut drawing: Drawing) -> Drawing {
     for i in (1..drawing.faces.len()).rev() {
         drawing.faces.swap(i, dice.bits() as usize % (i + 1));
     }
+    drawing
+}
+
+/// The drawing under a sun of its own, whose shadow map the whole of it fills.
+pub(crate) fn lit(mut drawing: Drawing) -> Drawing {
+    let toward = Vec3::new(0.3, 0.4, 1.0).normalize();
+    let axes = [Vec3::Y.cross(toward).normalize(), toward.cross(Vec3::Y.cross(toward)).normalize(), toward];
+    let pose = Pose { eye: Vec3::new(0.0, 0.0, -2.0) + toward * 8.0, axes };
+    let side = drawing.lenses[0].width;
+    let old = drawing.lenses[0];
+    let lens = orthographic(&pose, [4.6; 2], [1.0, 20.0], [side; 2]);
+    drawing.lenses[0] = twinlight::tables::Lens { first: 0, bias: old.bias, slope: old.slope, ..lens };
+    drawing.lamps[0].place = toward;
+    drawing.canvas.eye = Vec3::ZERO;
     drawing
 }

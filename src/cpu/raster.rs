@@ -8,6 +8,7 @@ pub mod crowd;
 pub mod cut;
 pub mod facet;
 pub mod fill;
+pub mod ground;
 pub mod heat;
 pub mod hold;
 pub mod mark;
@@ -18,6 +19,7 @@ pub mod reach;
 pub mod scan;
 pub mod shade;
 pub mod shadow;
+pub mod sift;
 pub mod snap;
 pub mod speck;
 pub mod split;
@@ -29,7 +31,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -69,6 +71,8 @@ pub struct CpuRaster<'a> {
     pub entries: Vec<u32>,
     /// What was counted.
     pub tally: Tally,
+    /// Of [`Raster::sift`]: runs of pixels that show a face, and that show none, in order.
+    pub runs: [Vec<u32>; 2],
     sums: Vec<[f32; 4]>,
 }
 
@@ -89,9 +93,21 @@ impl<'a> CpuRaster<'a> {
             busy: Vec::new(),
             entries: Vec::new(),
             tally: Tally::default(),
+            runs: Default::default(),
             sums: Vec::new(),
         }
     }
+}
+
+/// The pixels of some of an image's runs.
+fn each_of(runs: &[u32], sums: &mut [[f32; 4]], work: impl Fn(u32, &mut [f32; 4]) + Sync) {
+    let mut rows: Vec<_> = sums.chunks_mut(GROUP as usize).map(Some).collect();
+    let taken: Vec<_> = runs.iter().filter_map(|run| Some((*run, rows[*run as usize].take()?))).collect();
+    taken.into_par_iter().for_each(|(run, sums)| {
+        for (sum, pixel) in sums.iter_mut().zip(run * GROUP..) {
+            work(pixel, sum);
+        }
+    });
 }
 
 impl Raster for CpuRaster<'_> {
@@ -167,12 +183,23 @@ impl Raster for CpuRaster<'_> {
         Ok(())
     }
 
+    fn sift(&mut self, lens: &Lens, image: &Image) -> Result<(), Infallible> {
+        self.runs = sift::sift(&image.ids[..lens.pixels() as usize]);
+        Ok(())
+    }
+
     fn shade(&mut self, lens: &Lens, image: &Image, shadows: &Image) -> Result<(), Infallible> {
         self.sums.resize(lens.pixels() as usize, [0.0; 4]);
-        let pixels = self.sums.par_iter_mut().zip(&image.ids).zip(0_u32..lens.pixels());
-        pixels.for_each(|((sum, id), pixel)| {
-            shade::shade(self.drawing, lens, &shadows.nears, pixel, NONE - id.load(Relaxed), sum, &mut ());
+        each_of(&self.runs[0], &mut self.sums, |pixel, sum| {
+            let id = NONE - image.ids[pixel as usize].load(Relaxed);
+            shade::shade(self.drawing, lens, &shadows.nears, pixel, id, sum, &mut ());
         });
+        Ok(())
+    }
+
+    fn ground(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        self.sums.resize(lens.pixels() as usize, [0.0; 4]);
+        each_of(&self.runs[1], &mut self.sums, |_, sum| ground::ground(self.drawing, sum));
         Ok(())
     }
 

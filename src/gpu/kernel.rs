@@ -64,19 +64,27 @@ pub struct Binding<'a> {
     name: &'a str,
     raw: Raw<'a>,
     element: u32,
+    /// Whether a kernel may have no such variable.
+    optional: bool,
 }
 
 impl<'a> Binding<'a> {
     /// Binds `buffer` to the variable `name`.
     #[must_use]
     pub fn new<T: Pod>(name: &'a str, buffer: &'a Buffer<T>) -> Self {
-        Self { name, raw: Raw::Buffer(&buffer.raw), element: size_of::<T>() as u32 }
+        Self { name, raw: Raw::Buffer(&buffer.raw), element: size_of::<T>() as u32, optional: false }
     }
 
     /// Binds a table to the texture `name`.
     #[must_use]
     pub fn texels(name: &'a str, texels: &'a Texels) -> Self {
-        Self { name, raw: Raw::Texture(&texels.view), element: TEXEL }
+        Self { name, raw: Raw::Texture(&texels.view), element: TEXEL, optional: false }
+    }
+
+    /// The same for a kernel that need not read it.
+    #[must_use]
+    pub fn optional(self) -> Self {
+        Self { optional: true, ..self }
     }
 
     /// The same buffer as elements of so many bytes.
@@ -158,6 +166,11 @@ impl Kernel {
         Ok(kernel)
     }
 
+    /// Invocations of a workgroup.
+    pub(super) fn group(&self) -> u32 {
+        self.group
+    }
+
     /// Records `invocations` of the kernel, or a few more; returns the number of workgroups.
     ///
     /// # Errors
@@ -199,7 +212,7 @@ impl Kernel {
     ) -> Result<(), Error> {
         let wrong =
             |name: &str, why: String| Error::Binding { kernel: self.name.clone(), name: name.to_owned(), why };
-        if let Some(stray) = bindings.iter().find(|b| !self.slots.iter().any(|s| s.name == b.name)) {
+        if let Some(stray) = bindings.iter().find(|b| !b.optional && !self.slots.iter().any(|s| s.name == b.name)) {
             return Err(wrong(stray.name, "the kernel has no such variable".to_owned()));
         }
         let mut entries = Vec::with_capacity(self.slots.len());

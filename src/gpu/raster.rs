@@ -11,9 +11,9 @@ use std::sync::Arc;
 use bytemuck::Zeroable as _;
 
 use super::wgsl::Sources;
-use super::{Binding, Buffer, Error, Gpu, Kernel};
+use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
-use crate::tables::{Canvas, Corner, Drawing, Lamp, Lens, MOST_LENSES, NO_DEPTH, NONE, Paint, Piece, Tally};
+use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 use part::{Bound, parts};
 
 /// What is nearest, on the device.
@@ -29,13 +29,15 @@ pub struct GpuImage {
 pub struct GpuRaster<'a> {
     gpu: &'a Gpu,
     kernels: Arc<Kernels>,
+    /// The stage `shade`, written out for what the drawing has.
+    shader: Kernel,
     parts: Vec<Bound>,
     lens: Buffer<Lens>,
-    lenses: Buffer<Lens>,
+    lenses: Texels,
     canvas: Buffer<Canvas>,
-    paints: Buffer<Paint>,
-    lamps: Buffer<Lamp>,
-    texels: Buffer<u32>,
+    paints: Texels,
+    lamps: Texels,
+    texels: Texels,
     tally: Buffer<Tally>,
     calls: Buffer<[u32; 4]>,
     /// Of `split`, in any order; the tally says how many.
@@ -50,6 +52,8 @@ pub struct GpuRaster<'a> {
     pub busy: Buffer<u32>,
     /// Of `fill`.
     pub entries: Buffer<u32>,
+    /// Of `sift`, in any order: runs that show a face from the front, the others from the end; the tally says how many.
+    pub runs: Buffer<u32>,
     sums: Buffer<[f32; 4]>,
     /// What is recorded and not submitted yet.
     encoder: Option<wgpu::CommandEncoder>,
@@ -60,6 +64,7 @@ pub struct GpuRaster<'a> {
 #[derive(Debug)]
 struct Kernels {
     variant: Variant,
+    sources: Sources,
     project: Kernel,
     split: [Kernel; 2],
     /// Of whole faces, and of those that cross a plane.
@@ -70,7 +75,8 @@ struct Kernels {
     fill: Kernel,
     cover: [Kernel; 2],
     mark: Kernel,
-    shade: Kernel,
+    sift: Kernel,
+    ground: Kernel,
     crowd: Kernel,
     heat: Kernel,
 }
@@ -80,6 +86,8 @@ const CUT: u32 = 0;
 const CUT_TORN: u32 = 1;
 const SORT: u32 = 2;
 const COVER: u32 = 3;
+const SHADE: u32 = 4;
+const GROUND: u32 = 5;
 
 /// How much the stages may count before there has to be more room, and how much can be bound at once.
 #[derive(Debug, Clone, Copy)]
@@ -117,6 +125,7 @@ impl<'a> GpuRaster<'a> {
         let kernel = |name, eye| variant.kernel(gpu, sources, name, eye);
         let kernels = Kernels {
             variant,
+            sources: sources.clone(),
             project: kernel("project", false)?,
             split: [kernel("split", false)?, kernel("split", true)?],
             cut: [kernel("cut", false)?, variant.torn(gpu, sources)?],
@@ -126,7 +135,8 @@ impl<'a> GpuRaster<'a> {
             fill: kernel("fill", false)?,
             cover: [kernel("cover", false)?, kernel("cover", true)?],
             mark: kernel("mark", true)?,
-            shade: kernel("shade", true)?,
+            sift: kernel("sift", true)?,
+            ground: kernel("ground", true)?,
             crowd: kernel("crowd", true)?,
             heat: kernel("heat", true)?,
         };
@@ -142,29 +152,31 @@ impl<'a> GpuRaster<'a> {
     }
 
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
-        let mut lenses = drawing.lenses.clone();
-        lenses.resize(MOST_LENSES as usize, Lens::zeroed());
         let eyes = drawing.windows(&drawing.film().map(|side| 0..side)).concat();
         let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0) as usize;
         let tiles = eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
+        let runs = pixels.div_ceil(kernels.sift.group() as usize);
+        let shader = kernels.variant.shader(gpu, &kernels.sources, drawing)?;
         Ok(Self {
             gpu,
             kernels,
-            parts: parts(gpu, drawing, room.binding.min(gpu.device().limits().max_storage_buffer_binding_size))?,
+            shader,
+            parts: parts(gpu, drawing, room.binding)?,
             lens: gpu.uniform("lens", &Lens::zeroed())?,
-            lenses: gpu.uniforms("lenses", &lenses)?,
+            lenses: gpu.texels("lenses", &drawing.lenses)?,
             canvas: gpu.uniform("canvas", &drawing.canvas)?,
-            paints: gpu.upload("paints", &drawing.paints)?,
-            lamps: gpu.upload("lamps", &drawing.lamps)?,
-            texels: gpu.upload("texels", &drawing.texels)?,
+            paints: gpu.texels("paints", &drawing.paints)?,
+            lamps: gpu.texels("lamps", &drawing.lamps)?,
+            texels: gpu.words("texels", &drawing.texels)?,
             tally: gpu.zeroed("tally", 1)?,
-            calls: gpu.calls("calls", 4)?,
+            calls: gpu.calls("calls", 6)?,
             late: gpu.zeroed("late", room.late.min(drawing.faces.len()).max(1))?,
             pieces: gpu.zeroed("pieces", room.pieces)?,
             counts: gpu.zeroed("counts", 2 * tiles)?,
             starts: gpu.zeroed("starts", 2 * tiles + 1)?,
             busy: gpu.zeroed("busy", tiles)?,
             entries: gpu.zeroed("entries", room.entries)?,
+            runs: gpu.zeroed("runs", runs)?,
             sums: gpu.zeroed("sums", pixels)?,
             encoder: None,
             samples: drawing.samples() as u32,
@@ -235,6 +247,14 @@ impl<'a> GpuRaster<'a> {
             return Ok(words.chunks_exact(2).map(|pair| (NO_DEPTH - pair[1], NONE - pair[0])).unzip());
         }
         Ok((words.iter().map(|word| NO_DEPTH - word).collect(), Vec::new()))
+    }
+
+    /// Of `shade`: red, green, blue and the number of samples, added up since `end`.
+    ///
+    /// # Errors
+    /// If the device is lost or does not answer.
+    pub fn sums(&self) -> Result<Vec<[f32; 4]>, Error> {
+        self.gpu.read(&self.sums)
     }
 
     /// Makes room for what was counted; whether there was enough.

@@ -1,14 +1,14 @@
-//! Rust values -> a texture of four words a texel
+//! Rust values -> a texture of four words a texel, or of one
 //!
-//! A table that rays find their own ways through: lavapipe reads an array at an index of each lane's own word by word
-//! and lane by lane, and a texture four words at a time.
+//! A table that lanes find their own ways through: lavapipe reads an array at an index of each lane's own word by word
+//! and lane by lane, and a texture much faster, four words at a time.
 
 use bytemuck::Pod;
 
 use super::{Error, Gpu};
+use crate::tables;
 
-/// Texels in a row: as `wgsl/trace/walk.wgsl` counts them.
-const ROW: u32 = 4096;
+const ROW: usize = tables::ROW as usize;
 
 /// A table as a texture.
 #[derive(Debug)]
@@ -22,15 +22,32 @@ impl Gpu {
     /// # Errors
     /// If it is larger than a texture may be, or the device has no room.
     pub fn texels<T: Pod>(&self, label: &str, values: &[T]) -> Result<Texels, Error> {
-        let bytes: &[u8] = bytemuck::cast_slice(values);
-        let row = ROW as usize * 16;
-        let height = bytes.len().div_ceil(row).max(1);
+        self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint)
+    }
+
+    /// A table of single words, a texel each.
+    ///
+    /// # Errors
+    /// If it is larger than a texture may be, or the device has no room.
+    pub fn words(&self, label: &str, words: &[u32]) -> Result<Texels, Error> {
+        self.texture(label, bytemuck::cast_slice(words), wgpu::TextureFormat::R32Uint)
+    }
+
+    /// Bytes of the largest table.
+    pub(super) fn most_texels(&self) -> u64 {
+        (ROW * 16) as u64 * u64::from(self.device.limits().max_texture_dimension_2d)
+    }
+
+    fn texture(&self, label: &str, bytes: &[u8], format: wgpu::TextureFormat) -> Result<Texels, Error> {
+        let texel = format.block_copy_size(None).unwrap_or(1) as usize;
+        let texels = (bytes.len() / texel).max(1);
+        let (width, height) = (texels.min(ROW), texels.div_ceil(ROW));
         let most = self.device.limits().max_texture_dimension_2d as usize;
         if height > most {
-            let (bytes, most) = (bytes.len() as u64, (most * row) as u64);
+            let (bytes, most) = (bytes.len() as u64, (most * ROW * texel) as u64);
             return Err(Error::TooLarge { label: label.to_owned(), bytes, most });
         }
-        let size = wgpu::Extent3d { width: ROW, height: height as u32, depth_or_array_layers: 1 };
+        let size = wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some(label),
@@ -38,10 +55,11 @@ impl Gpu {
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba32Uint,
+            format,
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
+        let row = ROW * texel;
         let whole = bytes.len() / row;
         let put = |from: usize, data: &[u8], width: usize, rows: usize| {
             if data.is_empty() {
@@ -60,8 +78,8 @@ impl Gpu {
             );
         };
         let (rows, rest) = bytes.split_at(whole * row);
-        put(0, rows, ROW as usize, whole);
-        put(whole, rest, rest.len() / 16, 1);
+        put(0, rows, ROW, whole);
+        put(whole, rest, rest.len() / texel, 1);
         if pollster::block_on(scope.pop()).is_some() {
             return Err(Error::NoRoom { label: label.to_owned(), bytes: bytes.len() as u64 });
         }

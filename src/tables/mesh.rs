@@ -38,6 +38,8 @@ pub struct Part {
     pub first: u32,
     /// How many it has.
     pub faces: u32,
+    /// How many vertices they use.
+    pub vertices: u32,
 }
 
 /// The face is not there when it is seen from its back.

@@ -46,8 +46,10 @@ pub struct Tally {
     pub busy: u32,
     /// Workgroups of call and cover that ran to their end.
     pub groups: u32,
-    /// Zero: room to grow.
-    pub pad: u32,
+    /// Runs of pixels that show a face.
+    pub shown: u32,
+    /// Runs that show none.
+    pub bare: u32,
 }
 
 /// Planes that a triangle is clipped by.

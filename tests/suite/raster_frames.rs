@@ -165,7 +165,7 @@ fn what_a_lights_camera_does_not_see_is_lit() {
 fn planted_faults_in_shading_are_seen() {
     let faults = [
         ("shade/texture", "level.height - 1 -", "level.height + 1 -"),
-        ("shade/texture", "(x % level.width + level.width) % level.width", "clamp(x, 0, level.width - 1)"),
+        ("shade/texture", "-size, x >= size", "-size, x > size"),
         ("shade/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
         ("shade/texture", "+ map.shift", "- map.shift"),
         ("raster/weights", "1.0 - at.y", "0.999 - at.y"),

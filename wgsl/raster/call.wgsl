@@ -5,7 +5,8 @@
 @group(0) @binding(0) var<storage, read> late: array<u32>;
 @group(0) @binding(1) var<storage, read> pieces: array<Piece>;
 @group(0) @binding(2) var<storage, read_write> tally: Tally;
-// Columns and rows of workgroups, 1, and nothing: for cut of whole faces and of torn ones, for count and fill, for cover.
+// Columns and rows of workgroups, 1, and nothing: for cut of whole faces and of torn ones, for count and fill, for cover, for shade and
+// ground.
 @group(0) @binding(3) var<storage, read_write> calls: array<vec4u>;
 
 const MOST_GROUPS: u32 = 65535u;
@@ -26,6 +27,8 @@ fn main() {
     calls[1] = fold(select(0u, (torn + GROUP - 1u) / GROUP, fits));
     calls[2] = fold((sorted + GROUP - 1u) / GROUP);
     calls[3] = fold(atomicLoad(&tally.busy));
+    calls[4] = fold(atomicLoad(&tally.shown));
+    calls[5] = fold(atomicLoad(&tally.bare));
     // Work that is killed takes all that comes after it along: who counts last has seen the rest done.
     atomicAdd(&tally.groups, 1u);
 }

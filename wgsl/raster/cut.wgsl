@@ -1,14 +1,13 @@
 // faces that are large or cross a plane -> pieces of them, bin by bin
 #import "tables/slice.wgsl"
 #import "tables/piece.wgsl"
+#import "tables/mesh.wgsl"
 #import "raster/clip.wgsl"
 #import "raster/facet.wgsl"
 #import "raster/reach.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> part: Part;
-@group(0) @binding(2) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(3) var<storage, read> faces: array<Face>;
 @group(0) @binding(4) var<storage, read> late: array<u32>;
 @group(0) @binding(5) var<storage, read_write> pieces: array<Piece>;
 @group(0) @binding(6) var<storage, read_write> tally: Tally;
@@ -17,9 +16,9 @@
 // What the planes leave of a face is a fan of triangles.
 fn cut(face: Face, id: u32) {
     var polygon: array<vec4f, 9>;
-    polygon[0] = to_clip(vertices[face.a].position);
-    polygon[1] = to_clip(vertices[face.b].position);
-    polygon[2] = to_clip(vertices[face.c].position);
+    polygon[0] = to_clip(vertex_at(face.a).position);
+    polygon[1] = to_clip(vertex_at(face.b).position);
+    polygon[2] = to_clip(vertex_at(face.c).position);
     let count = clip(&polygon);
     for (var i = 2u; i < count; i++) {
         sort(facet(face.paint, snap(polygon[0]), snap(polygon[i - 1u]), snap(polygon[i])), id);
@@ -27,9 +26,9 @@ fn cut(face: Face, id: u32) {
 }
 #else
 fn cut(face: Face, id: u32) {
-    let p = snap(to_clip(vertices[face.a].position));
-    let q = snap(to_clip(vertices[face.b].position));
-    let r = snap(to_clip(vertices[face.c].position));
+    let p = snap(to_clip(vertex_at(face.a).position));
+    let q = snap(to_clip(vertex_at(face.b).position));
+    let r = snap(to_clip(vertex_at(face.c).position));
     sort(facet(face.paint, p, q, r), id);
 }
 #end
@@ -70,7 +69,7 @@ fn main(
     if (i < min(count, arrayLength(&late))) {
         let id = late[at];
         if (id - part.first < part.faces) {
-            cut(faces[id - part.first], id);
+            cut(face_at(id - part.first), id);
         }
     }
 }

@@ -4,7 +4,7 @@
 #import "raster/snap.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
-@group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
+@group(0) @binding(1) var<uniform> part: Part;
 @group(0) @binding(2) var<storage, read_write> corners: array<Corner>;
 
 @compute @workgroup_size(64)
@@ -14,8 +14,8 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    if (i < arrayLength(&vertices)) {
-        let c = to_clip(vertices[i].position);
+    if (i < part.vertices) {
+        let c = to_clip(vertex_at(i).position);
         let code = outcode(c);
         corners[i] = Corner(select(vec3i(0), snap(c), code == 0u), code);
     }

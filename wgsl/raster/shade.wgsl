@@ -1,5 +1,7 @@
-// ids -> each visible pixel's color, once
+// runs that show a face -> each pixel's color, once
 #import "tables/slice.wgsl"
+#import "tables/mesh.wgsl"
+#import "tables/piece.wgsl"
 #import "raster/weights.wgsl"
 #import "shade/look.wgsl"
 #import "raster/shadow.wgsl"
@@ -7,15 +9,12 @@
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> canvas: Canvas;
-@group(0) @binding(2) var<uniform> lenses: array<Lens, 32>;
-@group(0) @binding(11) var<uniform> part: Part;
-@group(0) @binding(3) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(4) var<storage, read> faces: array<Face>;
-@group(0) @binding(5) var<storage, read> paints: array<Paint>;
-@group(0) @binding(6) var<storage, read> lamps: array<Lamp>;
-@group(0) @binding(7) var<storage, read> texels: array<u32>;
+@group(0) @binding(2) var<uniform> part: Part;
+@group(0) @binding(5) var lenses: texture_2d<u32>;
 @group(0) @binding(8) var<storage, read> shadows: array<u32>;
 @group(0) @binding(9) var<storage, read> image: array<u32>;
+@group(0) @binding(7) var<storage, read> runs: array<u32>;
+@group(0) @binding(11) var<storage, read_write> tally: Tally;
 // Red, green, blue and the number of samples in the sum: the proof that the pixel was colored.
 @group(0) @binding(10) var<storage, read_write> sums: array<vec4f>;
 
@@ -25,14 +24,26 @@ fn color_of(id: u32) -> vec3f {
     return vec3f(vec3u(bits >> 24u, (bits >> 16u) & 255u, (bits >> 8u) & 255u)) / 255.0 * 0.75 + 0.25;
 }
 
+// Column and row of a pixel. lavapipe divides integers lane by lane; a float is off by one at most, since no image has
+// more than REGION rows.
+fn place_of(pixel: u32) -> vec2u {
+    let width = i32(lens.width);
+    var row = i32(f32(pixel) / f32(width));
+    var column = i32(pixel) - row * width;
+    let off = select(select(0, 1, column >= width), -1, column < 0);
+    row += off;
+    column -= off * width;
+    return vec2u(vec2i(column, row));
+}
+
 fn color_at(pixel: u32, id: u32) -> vec3f {
     let start = vec2u(lens.left, lens.top) % REGION;
-    let at = vec2f(start + vec2u(pixel % lens.width, pixel / lens.width)) + 0.5;
-    let face = faces[id - part.first];
-    let paint = paints[face.paint & ~ONE_SIDED];
-    let a = vertices[face.a];
-    let b = vertices[face.b];
-    let c = vertices[face.c];
+    let at = vec2f(start + place_of(pixel)) + 0.5;
+    let face = face_at(id - part.first);
+    let paint = paint_at(face.paint & ~ONE_SIDED);
+    let a = vertex_at(face.a);
+    let b = vertex_at(face.b);
+    let c = vertex_at(face.c);
     let ca = to_clip(a.position);
     let cb = to_clip(b.position);
     let cc = to_clip(c.position);
@@ -45,9 +56,11 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let look = look_of(paint, canvas.filtering, uv, right, down);
     let albedo = paint.color * look.color;
     var n = unit(sum_by(w, a.normal, b.normal, c.normal));
+    #repeat bumps
     if (paint.normal_map.first != NONE) {
         n = bumped(n, a, b, c, look.tangent);
     }
+    #end
     let v = unit(canvas.eye - p);
     // A face that is seen from its back shows its back.
     if (dot(cross(b.position - a.position, c.position - a.position), v) < 0.0) {
@@ -58,7 +71,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     var specular = vec3f(0.0);
     var open = 0.0;
     for (var i = 0u; i < canvas.lamps; i++) {
-        let lamp = lamps[i];
+        let lamp = lamp_at(i);
         var l = lamp.place;
         if (lamp.kind == POINT) {
             l = unit(lamp.place - p);
@@ -72,6 +85,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
             specular += look.specular * power * terms.y;
         }
     }
+    #repeat views
     switch (canvas.show) {
         case SHOW_DEPTH: { return vec3f(canvas.reach / (canvas.reach + sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x)); }
         case SHOW_SHADOW: { return vec3f(open); }
@@ -82,8 +96,10 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         case SHOW_DIFFUSE: { return diffuse * albedo; }
         case SHOW_SPECULAR: { return specular * albedo; }
         case SHOW_ID: { return color_of(id); }
-        default: { return (diffuse + specular) * albedo + canvas.ambient; }
+        default: {}
     }
+    #end
+    return (diffuse + specular) * albedo + canvas.ambient;
 }
 
 @compute @workgroup_size(64)
@@ -92,13 +108,16 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    let number = group.y * groups.x + group.x;
+    if (number >= atomicLoad(&tally.shown)) {
+        return;
+    }
+    let i = runs[number] * GROUP + lane;
     if (i < lens.width * lens.height) {
         let id = NONE - image[2u * i];
-        if (id - part.first < part.faces) {
-            sums[i] += vec4f(color_at(i, id), 1.0);
-        } else if (id == NONE && part.first == 0u) {
-            sums[i] += vec4f(canvas.background, 1.0);
+        let mine = id - part.first < part.faces;
+        if (mine || (id == NONE && part.first == 0u)) {
+            sums[i] += vec4f(select(canvas.background, color_at(i, id), mine), 1.0);
         }
     }
 }

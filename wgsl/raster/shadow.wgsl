@@ -1,6 +1,7 @@
 // a point and a light -> the share of the light that reaches it
 #import "tables/paint.wgsl"
 #import "tables/light.wgsl"
+#import "tables/texel.wgsl"
 #import "tables/settings.wgsl"
 #import "raster/snap.wgsl"
 
@@ -25,17 +26,19 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     if (lamp.lens == NONE) {
         return 1.0;
     }
-    let by = lens_of(lamp, p);
-    let x = along(lenses[by].x, p);
-    let y = along(lenses[by].y, p);
-    let z = along(lenses[by].z, p);
-    let w = along(lenses[by].w, p);
+    // A lens is eight texels: its rows, then what its image is.
+    let by = lens_of(lamp, p) * 8u;
+    let x = along(bitcast<vec4f>(texel(lenses, by)), p);
+    let y = along(bitcast<vec4f>(texel(lenses, by + 1u)), p);
+    let z = along(bitcast<vec4f>(texel(lenses, by + 2u)), p);
+    let w = along(bitcast<vec4f>(texel(lenses, by + 3u)), p);
+    let film = texel(lenses, by + 4u);
     // What lies beyond the far plane lies behind all that is drawn.
     if (!(abs(x) <= w && abs(y) <= w && z >= 0.0)) {
         return 1.0;
     }
-    let width = i32(lenses[by].width);
-    let height = i32(lenses[by].height);
+    let width = i32(film.x);
+    let height = i32(film.y);
     let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
     let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
     let depth = u32(min(hold(z / w), 1.0) * f32(DEEP));
@@ -44,7 +47,7 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     for (var j = -blur; j <= blur; j++) {
         for (var i = -blur; i <= blur; i++) {
             let at = clamp(row + j, 0, height - 1) * width + clamp(column + i, 0, width - 1);
-            if (depth <= NO_DEPTH - shadows[lenses[by].first + u32(at)]) {
+            if (depth <= NO_DEPTH - shadows[film.z + u32(at)]) {
                 open++;
             }
         }

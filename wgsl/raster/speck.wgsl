@@ -1,11 +1,11 @@
 // a face -> a triangle so small that 32 bits hold its edges, or what else becomes of it
 #import "tables/piece.wgsl"
+#import "tables/mesh.wgsl"
 #import "raster/hold.wgsl"
 #import "raster/facet.wgsl"
 
 @group(0) @binding(1) var<uniform> part: Part;
 @group(0) @binding(2) var<storage, read> corners: array<Corner>;
-@group(0) @binding(3) var<storage, read> faces: array<Face>;
 
 const NOTHING: u32 = 0u;
 const SMALL: u32 = 1u;
@@ -31,9 +31,10 @@ fn small_edge(p: vec2i, q: vec2i) -> vec3i {
 
 // One straight line without a branch: lavapipe runs both sides of each.
 fn speck(i: u32) -> Speck {
-    let ca = corners[faces[i].a];
-    let cb = corners[faces[i].b];
-    let cc = corners[faces[i].c];
+    let face = face_at(i);
+    let ca = corners[face.a];
+    let cb = corners[face.b];
+    let cc = corners[face.c];
     let p = ca.at;
     let whole = span(p, cb.at, cc.at);
     let bounds = on_film(whole);
@@ -47,7 +48,7 @@ fn speck(i: u32) -> Speck {
     let turn = u.x * v.y - u.y * v.x;
     let q = select(cb.at, cc.at, turn < 0);
     let r = select(cc.at, cb.at, turn < 0);
-    let there = turn < 0 || (turn > 0 && !one_sided(faces[i].paint));
+    let there = turn < 0 || (turn > 0 && !one_sided(face.paint));
     let center = bounds.xy * 256 + vec2i(128);
     let pq = small_edge(p.xy - center, q.xy - center);
     let qr = small_edge(q.xy - center, r.xy - center);

@@ -1,9 +1,10 @@
 // a map and a place on it -> the color there
 #import "tables/paint.wgsl"
 #import "tables/settings.wgsl"
+#import "tables/texel.wgsl"
 #import "math/power.wgsl"
 
-// `hold` and `texels` are each method's own.
+// `hold` is each method's own.
 
 // A level of a map: its first texel and its size.
 struct Level {
@@ -22,16 +23,19 @@ fn level_of(map: Map, number: u32) -> Level {
     return level;
 }
 
-// A texel by column and row from the lower left; the picture repeats.
-fn texel(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
-    let column = (x % level.width + level.width) % level.width;
-    let row = level.height - 1 - (y % level.height + level.height) % level.height;
-    let word = texels[level.first + u32(row * level.width + column)];
+// The picture repeats; no more than its size beyond either end. A remainder is what lavapipe has no vectors for.
+fn wrapped(x: i32, size: i32) -> i32 {
+    return x + select(select(0, -size, x >= size), size, x < 0);
+}
+
+// A texel by column and row from the lower left.
+fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
+    let column = wrapped(x, level.width);
+    let row = level.height - 1 - wrapped(y, level.height);
+    let word = texel(texels, level.first + u32(row * level.width + column)).x;
     let bytes = vec3u(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u);
     if (decode) {
-        return vec3f(
-            bitcast<f32>(texels[bytes.x]), bitcast<f32>(texels[bytes.y]), bitcast<f32>(texels[bytes.z]),
-        );
+        return bitcast<vec3f>(vec3u(texel(texels, bytes.x).x, texel(texels, bytes.y).x, texel(texels, bytes.z).x));
     }
     return vec3f(bytes) / 255.0;
 }
@@ -47,8 +51,8 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
     let column = i32(floor(x));
     let row = i32(floor(y));
     let across = x - floor(x);
-    let low = blend(texel(level, column, row, decode), texel(level, column + 1, row, decode), across);
-    let high = blend(texel(level, column, row + 1, decode), texel(level, column + 1, row + 1, decode), across);
+    let low = blend(texel_of(level, column, row, decode), texel_of(level, column + 1, row, decode), across);
+    let high = blend(texel_of(level, column, row + 1, decode), texel_of(level, column + 1, row + 1, decode), across);
     return blend(low, high, y - floor(y));
 }
 
@@ -58,22 +62,30 @@ fn sample_map(map: Map, filtering: u32, uv: vec2f, right: vec2f, down: vec2f, de
     let u = full.x - floor(full.x);
     let v = full.y - floor(full.y);
     let finest = level_of(map, 0u);
+    var color = vec3f(0.0);
+    #repeat nearest
     if (filtering == NEAREST) {
-        return texel(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
+        color = texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
     }
+    #end
+    #repeat bilinear
     if (filtering == BILINEAR) {
-        return bilinear(finest, u, v, decode);
+        color = bilinear(finest, u, v, decode);
     }
-    let size = map.scale * vec2f(f32(map.width), f32(map.height));
-    let dx = (right - uv) * size;
-    let dy = (down - uv) * size;
-    let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
-    let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
-    let fine = u32(detail);
-    let near = bilinear(level_of(map, fine), u, v, decode);
-    if (fine + 1u >= map.levels) {
-        return near;
+    #end
+    #repeat mipmap
+    if (filtering == MIPMAP) {
+        let size = map.scale * vec2f(f32(map.width), f32(map.height));
+        let dx = (right - uv) * size;
+        let dy = (down - uv) * size;
+        let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
+        let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
+        let fine = u32(detail);
+        let near = bilinear(level_of(map, fine), u, v, decode);
+        // Past the coarsest there is nothing to blend with, and nothing left of the way there.
+        let far = bilinear(level_of(map, min(fine + 1u, map.levels - 1u)), u, v, decode);
+        color = blend(near, far, detail - floor(detail));
     }
-    let far = bilinear(level_of(map, fine + 1u), u, v, decode);
-    return blend(near, far, detail - floor(detail));
+    #end
+    return color;
 }

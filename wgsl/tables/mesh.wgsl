@@ -1,3 +1,5 @@
+#import "tables/texel.wgsl"
+
 // A corner that faces share, in world space.
 struct Vertex {
     position: vec3f,
@@ -22,4 +24,20 @@ const ONE_SIDED: u32 = 0x80000000u;
 struct Part {
     first: u32,
     faces: u32,
+    vertices: u32,
+}
+
+// Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
+@group(0) @binding(12) var vertices: texture_2d<u32>;
+@group(0) @binding(13) var faces: texture_2d<u32>;
+
+fn face_at(i: u32) -> Face {
+    let a = texel(faces, i);
+    return Face(a.x, a.y, a.z, a.w);
+}
+
+fn vertex_at(i: u32) -> Vertex {
+    let a = bitcast<vec4f>(texel(vertices, i * 2u));
+    let b = bitcast<vec4f>(texel(vertices, i * 2u + 1u));
+    return Vertex(a.xyz, a.w, b.xyz, b.w);
 }

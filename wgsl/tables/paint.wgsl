@@ -1,3 +1,5 @@
+#import "tables/texel.wgsl"
+
 // A picture laid over faces: texel at uv * scale + shift.
 struct Map {
     // Its first texel; finest level first, each row by row from the top. NONE: no picture.
@@ -72,3 +74,29 @@ const SHOW_DIFFUSE: u32 = 7u;
 const SHOW_SPECULAR: u32 = 8u;
 const SHOW_ID: u32 = 9u;
 const SHOW_TILES: u32 = 10u;
+
+@group(0) @binding(14) var paints: texture_2d<u32>;
+@group(0) @binding(15) var lamps: texture_2d<u32>;
+// One word a texel: 256 of the curve by which colors are decoded, then all levels of all pictures.
+@group(0) @binding(16) var texels: texture_2d<u32>;
+
+fn map_at(i: u32) -> Map {
+    let a = texel(paints, i);
+    let b = bitcast<vec4f>(texel(paints, i + 1u));
+    return Map(a.x, a.y, a.z, a.w, b.xy, b.zw);
+}
+
+fn paint_at(i: u32) -> Paint {
+    let first = i * 10u;
+    let a = bitcast<vec4f>(texel(paints, first));
+    let b = bitcast<vec4f>(texel(paints, first + 1u));
+    return Paint(
+        a.xyz, a.w, b.xyz, b.w, map_at(first + 2u), map_at(first + 4u), map_at(first + 6u), map_at(first + 8u),
+    );
+}
+
+fn lamp_at(i: u32) -> Lamp {
+    let a = texel(lamps, i * 2u);
+    let b = texel(lamps, i * 2u + 1u);
+    return Lamp(bitcast<vec3f>(a.xyz), a.w, bitcast<vec3f>(b.xyz), b.w);
+}

@@ -34,7 +34,9 @@ struct Tally {
     busy: atomic<u32>,
     // Workgroups of call and cover that ran to their end.
     groups: atomic<u32>,
-    pad: u32,
+    // Runs of pixels that show a face, and that show none.
+    shown: atomic<u32>,
+    bare: atomic<u32>,
 }
 
 // Planes that a triangle is clipped by.

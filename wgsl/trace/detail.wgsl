@@ -6,39 +6,6 @@
 #import "trace/primary.wgsl"
 #import "trace/walk.wgsl"
 
-// Of the triangles, in the order of their numbers, and what they share.
-@group(0) @binding(13) var faces: texture_2d<u32>;
-@group(0) @binding(14) var vertices: texture_2d<u32>;
-// In the order of the materials.
-@group(0) @binding(15) var paints: texture_2d<u32>;
-@group(0) @binding(16) var<storage, read> texels: array<u32>;
-
-fn face_at(i: u32) -> Face {
-    let a = words(faces, i);
-    return Face(a.x, a.y, a.z, a.w);
-}
-
-fn vertex_at(i: u32) -> Vertex {
-    let a = words(vertices, i * 2u);
-    let b = words(vertices, i * 2u + 1u);
-    return Vertex(bitcast<vec3f>(a.xyz), bitcast<f32>(a.w), bitcast<vec3f>(b.xyz), bitcast<f32>(b.w));
-}
-
-fn map_at(i: u32) -> Map {
-    let a = words(paints, i);
-    let b = words(paints, i + 1u);
-    return Map(a.x, a.y, a.z, a.w, bitcast<vec2f>(b.xy), bitcast<vec2f>(b.zw));
-}
-
-fn paint_at(i: u32) -> Paint {
-    let first = i * 10u;
-    let a = bitcast<vec4f>(words(paints, first));
-    let b = bitcast<vec4f>(words(paints, first + 1u));
-    return Paint(
-        a.xyz, a.w, b.xyz, b.w, map_at(first + 2u), map_at(first + 4u), map_at(first + 6u), map_at(first + 8u),
-    );
-}
-
 // Where the eye's rays one pixel to the right and one down meet the plane of a surface that it sees: a pixel's
 // footprint. What mirrors and glass show has none, and so is read from the finest level.
 struct Beside {
@@ -100,9 +67,11 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
     let paint = paint_at(leaf.material);
     let p = fence(point, settings.zero);
     var sides = Beside(p, p);
+    #repeat mipmap
     if (settings.filtering == MIPMAP) {
         sides = beside(ray, p, normal);
     }
+    #end
     var uv = vec2f(0.0);
     var right = uv;
     var down = uv;
@@ -140,12 +109,15 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
         uv = uv_by(w, a, b, c);
         right = uv;
         down = uv;
+        #repeat mipmap
         if (settings.filtering == MIPMAP) {
             right = uv_by(weights_at(sides.right, normal, leaf.a, leaf.b, leaf.c), a, b, c);
             down = uv_by(weights_at(sides.down, normal, leaf.a, leaf.b, leaf.c), a, b, c);
         }
+        #end
     }
     let look = look_of(paint, settings.filtering, uv, right, down);
+    #repeat bumps
     if (paint.normal_map.first != NONE) {
         if (leaf.kind == TRIANGLE) {
             n = bumped(n, a, b, c, look.tangent);
@@ -153,5 +125,6 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
             n = unit(sum_by(look.tangent, unit(along_u), unit(along_v), n));
         }
     }
+    #end
     return Detail(n, look);
 }

@@ -4,6 +4,7 @@
 #import "tables/settings.wgsl"
 #import "tables/path.wgsl"
 #import "tables/status.wgsl"
+#import "tables/texel.wgsl"
 #import "trace/meet.wgsl"
 #import "trace/boxes.wgsl"
 
@@ -13,23 +14,19 @@
 // Planes, then the others in the order of the tree.
 @group(0) @binding(2) var leaves: texture_2d<u32>;
 
-fn words(table: texture_2d<u32>, i: u32) -> vec4u {
-    return textureLoad(table, vec2u(i & 4095u, i >> 12u), 0);
-}
-
 fn node_at(i: u32) -> Node {
-    let a = words(nodes, i * 5u);
-    let b = words(nodes, i * 5u + 1u);
-    let c = words(nodes, i * 5u + 2u);
-    let d = words(nodes, i * 5u + 3u);
-    let e = words(nodes, i * 5u + 4u);
+    let a = texel(nodes, i * 5u);
+    let b = texel(nodes, i * 5u + 1u);
+    let c = texel(nodes, i * 5u + 2u);
+    let d = texel(nodes, i * 5u + 3u);
+    let e = texel(nodes, i * 5u + 4u);
     return Node(bitcast<vec3f>(a.xyz), a.w, b.x, b.y, b.zw, c.xy, c.zw, d.xy, d.zw, e.xy, e.zw);
 }
 
 fn leaf_at(i: u32) -> Leaf {
-    let a = words(leaves, i * 3u);
-    let b = words(leaves, i * 3u + 1u);
-    let c = words(leaves, i * 3u + 2u);
+    let a = texel(leaves, i * 3u);
+    let b = texel(leaves, i * 3u + 1u);
+    let c = texel(leaves, i * 3u + 2u);
     return Leaf(bitcast<vec3f>(a.xyz), a.w, bitcast<vec3f>(b.xyz), b.w, bitcast<vec3f>(c.xyz), c.w);
 }
 

@@ -1,4 +1,4 @@
-//! ids -> each visible pixel's color, once
+//! runs that show a face -> each pixel's color, once
 
 use std::sync::atomic::AtomicU32;
 

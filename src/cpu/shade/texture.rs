@@ -23,10 +23,21 @@ fn level_of(map: &Map, number: u32) -> Level {
     level
 }
 
-/// A texel by column and row from the lower left; the picture repeats.
+/// The picture repeats; no more than its size beyond either end.
+fn wrapped(x: i32, size: i32) -> i32 {
+    x + if x < 0 {
+        size
+    } else if x >= size {
+        -size
+    } else {
+        0
+    }
+}
+
+/// A texel by column and row from the lower left.
 fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
-    let column = x.rem_euclid(level.width);
-    let row = level.height - 1 - y.rem_euclid(level.height);
+    let column = wrapped(x, level.width);
+    let row = level.height - 1 - wrapped(y, level.height);
     let word = texels[level.first as usize + (row * level.width + column) as usize];
     let [red, green, blue, _] = word.to_le_bytes();
     Vec3::from_array(

@@ -1,6 +1,6 @@
 //! vertices and faces -> parts of them that can be bound
 
-use crate::gpu::{Buffer, Error, Gpu};
+use crate::gpu::{Buffer, Error, Gpu, Texels};
 use crate::tables::{Corner, Drawing, Face, Part, Vertex};
 
 /// Some of a drawing's faces, with the vertices that they use.
@@ -8,29 +8,31 @@ use crate::tables::{Corner, Drawing, Face, Part, Vertex};
 pub(super) struct Bound {
     pub(super) part: Part,
     pub(super) about: Buffer<Part>,
-    pub(super) vertices: Buffer<Vertex>,
+    pub(super) vertices: Texels,
     /// Of [`Raster::project`](crate::raster::Raster::project).
     pub(super) corners: Buffer<Corner>,
-    pub(super) faces: Buffer<Face>,
+    pub(super) faces: Texels,
 }
 
 impl Bound {
     fn new(gpu: &Gpu, first: usize, vertices: &[Vertex], faces: &[Face]) -> Result<Self, Error> {
-        let part = Part { first: first as u32, faces: faces.len() as u32 };
+        let part = Part { first: first as u32, faces: faces.len() as u32, vertices: vertices.len() as u32 };
         Ok(Self {
             part,
             about: gpu.uniform("part", &part)?,
-            vertices: gpu.upload("vertices", vertices)?,
+            vertices: gpu.texels("vertices", vertices)?,
             corners: gpu.zeroed("corners", vertices.len())?,
-            faces: gpu.upload("faces", faces)?,
+            faces: gpu.texels("faces", faces)?,
         })
     }
 }
 
-/// The parts of a drawing, none of which binds more than `most` bytes at once.
+/// The parts of a drawing, none of which binds more than `most` bytes at once, or than the device can.
 pub(super) fn parts(gpu: &Gpu, drawing: &Drawing, most: u64) -> Result<Vec<Bound>, Error> {
-    let most_vertices = most as usize / size_of::<Vertex>();
-    let most_faces = most as usize / size_of::<Face>();
+    let table = most.min(gpu.most_texels()) as usize;
+    let buffer = most.min(gpu.device().limits().max_storage_buffer_binding_size) as usize;
+    let most_vertices = (table / size_of::<Vertex>()).min(buffer / size_of::<Corner>());
+    let most_faces = table / size_of::<Face>();
     if drawing.vertices.len() <= most_vertices && drawing.faces.len() <= most_faces {
         return Ok(vec![Bound::new(gpu, 0, &drawing.vertices, &drawing.faces)?]);
     }

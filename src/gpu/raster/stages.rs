@@ -1,6 +1,6 @@
 //! The rasterizer's stages, recorded one after the other.
 
-use super::{COVER, CUT, CUT_TORN, GpuImage, GpuRaster, SORT};
+use super::{COVER, CUT, CUT_TORN, GROUND, GpuImage, GpuRaster, SHADE, SORT};
 use crate::gpu::kernel::fold;
 use crate::gpu::{Binding, Error};
 use crate::raster::{Drawn, Raster};
@@ -31,10 +31,11 @@ impl Raster for GpuRaster<'_> {
             for bound in &this.parts {
                 let bindings = [
                     Binding::new("lens", &this.lens),
-                    Binding::new("vertices", &bound.vertices),
+                    Binding::new("part", &bound.about),
+                    Binding::texels("vertices", &bound.vertices),
                     Binding::new("corners", &bound.corners),
                 ];
-                this.kernels.project.dispatch(this.gpu, encoder, &bindings, bound.vertices.len() as u32)?;
+                this.kernels.project.dispatch(this.gpu, encoder, &bindings, bound.part.vertices)?;
             }
             Ok(())
         })
@@ -50,7 +51,7 @@ impl Raster for GpuRaster<'_> {
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
                     Binding::new("corners", &bound.corners),
-                    Binding::new("faces", &bound.faces),
+                    Binding::texels("faces", &bound.faces),
                     if wide { words.of_bytes(8) } else { words },
                     Binding::new("late", &this.late),
                     Binding::new("tally", &this.tally),
@@ -68,8 +69,8 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("vertices", &bound.vertices),
-                    Binding::new("faces", &bound.faces),
+                    Binding::texels("vertices", &bound.vertices),
+                    Binding::texels("faces", &bound.faces),
                     Binding::new("late", &this.late),
                     Binding::new("pieces", &this.pieces),
                     Binding::new("tally", &this.tally),
@@ -172,7 +173,7 @@ impl Raster for GpuRaster<'_> {
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
                     Binding::new("corners", &bound.corners),
-                    Binding::new("faces", &bound.faces),
+                    Binding::texels("faces", &bound.faces),
                     Binding::new("image", &image.words),
                 ];
                 this.kernels.mark.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
@@ -181,26 +182,55 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
-    fn shade(&mut self, lens: &Lens, image: &GpuImage, shadows: &GpuImage) -> Result<(), Error> {
+    fn sift(&mut self, lens: &Lens, image: &GpuImage) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            this.tally.clear(encoder);
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("image", &image.words),
+                Binding::new("runs", &this.runs),
+                Binding::new("tally", &this.tally),
+            ];
+            this.kernels.sift.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
+            this.call(encoder)
+        })
+    }
+
+    fn shade(&mut self, _lens: &Lens, image: &GpuImage, shadows: &GpuImage) -> Result<(), Error> {
         self.record(|this, encoder| {
             for bound in &this.parts {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("canvas", &this.canvas),
-                    Binding::new("lenses", &this.lenses),
+                    Binding::texels("lenses", &this.lenses),
                     Binding::new("part", &bound.about),
-                    Binding::new("vertices", &bound.vertices),
-                    Binding::new("faces", &bound.faces),
-                    Binding::new("paints", &this.paints),
-                    Binding::new("lamps", &this.lamps),
-                    Binding::new("texels", &this.texels),
+                    Binding::texels("vertices", &bound.vertices),
+                    Binding::texels("faces", &bound.faces),
+                    Binding::texels("paints", &this.paints),
+                    Binding::texels("lamps", &this.lamps),
+                    Binding::texels("texels", &this.texels).optional(),
                     Binding::new("shadows", &shadows.words),
                     Binding::new("image", &image.words),
+                    Binding::new("runs", &this.runs),
+                    Binding::new("tally", &this.tally),
                     Binding::new("sums", &this.sums),
                 ];
-                this.kernels.shade.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
+                this.shader.dispatch_called(this.gpu, encoder, &bindings, &this.calls, SHADE)?;
             }
             Ok(())
+        })
+    }
+
+    fn ground(&mut self, _lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("canvas", &this.canvas),
+                Binding::new("runs", &this.runs),
+                Binding::new("tally", &this.tally),
+                Binding::new("sums", &this.sums),
+            ];
+            this.kernels.ground.dispatch_called(this.gpu, encoder, &bindings, &this.calls, GROUND)
         })?;
         let encoder = self.recorded();
         self.gpu.finish(encoder)
@@ -213,7 +243,7 @@ impl Raster for GpuRaster<'_> {
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
                     Binding::new("corners", &bound.corners),
-                    Binding::new("faces", &bound.faces),
+                    Binding::texels("faces", &bound.faces),
                     Binding::new("counts", &this.counts),
                 ];
                 this.kernels.crowd.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;

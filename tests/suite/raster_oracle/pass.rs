@@ -10,8 +10,8 @@ use twinlight::tables::{Drawing, NONE};
 pub(super) const SHADERS: &str = r#"#import "raster/snap.wgsl"
 #import "tables/mesh.wgsl"
 @group(0) @binding(0) var<uniform> lens: Lens;
-@group(0) @binding(1) var<storage, read> vertices: array<Vertex>;
-@group(0) @binding(2) var<storage, read> faces: array<Face>;
+@group(0) @binding(1) var<storage, read> points: array<Vertex>;
+@group(0) @binding(2) var<storage, read> triangles: array<Face>;
 
 struct Out {
     @builtin(position) at: vec4f,
@@ -20,15 +20,15 @@ struct Out {
 
 @vertex
 fn corner(@builtin(vertex_index) number: u32) -> Out {
-    let face = faces[number / 3u];
+    let face = triangles[number / 3u];
     let corners = array<u32, 3>(face.a, face.b, face.c);
-    let c = to_clip(vertices[corners[number % 3u]].position);
+    let c = to_clip(points[corners[number % 3u]].position);
     return Out(c, number / 3u);
 }
 
 @fragment
 fn pixel(in: Out, @builtin(front_facing) front: bool) -> @location(0) u32 {
-    if (lens.cull == 1u && (faces[in.id].paint & ONE_SIDED) != 0u && !front) {
+    if (lens.cull == 1u && (triangles[in.id].paint & ONE_SIDED) != 0u && !front) {
         discard;
     }
     return in.id;
