@@ -7,6 +7,7 @@
 pub mod angle;
 pub mod fence;
 pub mod power;
+pub mod quotient;
 pub mod random;
 pub mod sphere;
 pub mod vector;

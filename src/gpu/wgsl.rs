@@ -26,6 +26,7 @@ embed! {
     "math/angle",
     "math/fence",
     "math/power",
+    "math/quotient",
     "math/random",
     "math/sphere",
     "math/vector",

@@ -47,7 +47,8 @@ fn around(model: Arc<Model>) -> Scene {
             up: Vec3::Y,
             fov,
             aspect: None,
-            near: (away - radius * 1.5).max(radius * 0.01),
+            // Before a flat model the ground begins near the eye.
+            near: away * 0.1,
             far: away + radius * 30.0,
         },
         film: FilmSettings { size: [800, 800], transfer: Transfer::Srgb, background: Vec3::splat(0.6) },

@@ -25,6 +25,7 @@ mod maps;
 mod mutants;
 mod oracle;
 mod parts;
+mod quotient;
 mod raster_exact;
 mod raster_frames;
 mod raster_mutants;

@@ -76,6 +76,7 @@ pub(super) fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
     let Ok(mut image) = cpu.image(lens.pixels() as usize, true);
     let Ok(()) = draw(&mut cpu, lens, &mut image);
     let Ok(()) = cpu.mark(lens, &mut image);
+    let Ok(()) = cpu.sift(lens, &image);
     let (depths, ids) = image.seen();
     (cpu, [depths, ids])
 }
@@ -162,6 +163,15 @@ fn raster_stages_are_the_same() {
                 "fill, list {tile}, drawing {number}"
             );
         }
+        // What is drawn twice stays what it is.
+        draw(&mut stages, lens, &mut image).expect("cover");
+        stages.sift(lens, &image).expect("sift");
+        let told = stages.told().expect("told");
+        let runs = gpu.read(&stages.runs).expect("runs");
+        let [shown, bare] = [&runs[..told.shown as usize], &runs[runs.len() - told.bare as usize..]];
+        assert_eq!([sorted(shown), sorted(bare)], [0, 1].map(|i| sorted(&cpu.runs[i])), "sift, drawing {number}");
+        let calls = gpu.read(stages.calls()).expect("calls");
+        assert_eq!(calls[4..], call(&told, [0; 2])[4..], "call after sift, drawing {number}");
     }
 }
 

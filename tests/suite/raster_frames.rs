@@ -190,6 +190,30 @@ fn planted_faults_in_shading_are_seen() {
     }
 }
 
+/// Runs of pixels that are lost, doubled or taken for others are noticed before anybody compares, or by the comparison.
+#[test]
+fn planted_faults_in_runs_are_seen() {
+    let faults = [
+        ("raster/sift", "image[2u * i] != 0u", "image[2u * i] == 7u"),
+        ("raster/sift", "runs[atomicAdd(&tally.shown, 1u)] = run", "runs[atomicAdd(&tally.shown, 1u)] = 0u"),
+        ("raster/sift", "run * GROUP < pixels", "run * GROUP < pixels - GROUP"),
+        ("raster/ground", "arrayLength(&runs) - 1u - number", "arrayLength(&runs) - 1u"),
+        ("raster/call", "fold(atomicLoad(&tally.bare))", "vec4u(1u, 1u, 1u, 0u)"),
+    ];
+    let scenes: Vec<_> = (0..8).map(painted).collect();
+    let wanted: Vec<_> = scenes.iter().map(scene_on_cpu).collect();
+    for (file, right, wrong) in faults {
+        let text = Sources::default().get(file).expect("the file").into_owned();
+        assert!(text.contains(right), "{file} has no {right}");
+        let sources = Sources::default().with(file, text.replace(right, wrong));
+        let seen = scenes.iter().zip(&wanted).any(|(scene, wanted)| {
+            let film = scene_on_gpu(&sources, scene);
+            !film.is_ok_and(|film| compare(wanted, &film, Standard::Exact).expect("one size").passes())
+        });
+        assert!(seen, "nobody sees {wrong} in {file}");
+    }
+}
+
 /// One face over all of the film, and small ones in one of its tiles.
 #[test]
 fn tiles_are_colored_by_how_many_faces_they_have() {

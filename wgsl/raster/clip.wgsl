@@ -7,7 +7,7 @@
 // Always reckoned from the end inside to the end outside, so that both faces of the edge get the same bits.
 fn meet(inside: vec4f, outside: vec4f, plane: u32) -> vec4f {
     let from_inside = height(plane, inside);
-    let t = hold(from_inside / (from_inside - height(plane, outside)));
+    let t = hold(quotient(from_inside, from_inside - height(plane, outside)));
     let way = outside - inside;
     return inside + vec4f(hold(way.x * t), hold(way.y * t), hold(way.z * t), hold(way.w * t));
 }

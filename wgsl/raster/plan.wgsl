@@ -1,5 +1,6 @@
 // three corners in fixed point -> integer planes: coverage and depth at any pixel, exactly
 #import "raster/hold.wgsl"
+#import "math/quotient.wgsl"
 
 // The plane of depth of a triangle, as seen from a pixel near it, its origin.
 struct Depths {
@@ -86,7 +87,7 @@ fn edge(p: vec3i, q: vec3i, origin: vec2i) -> vec3i {
 
 // A slope in depths a pixel, from its numerator and twice the area.
 fn slope(numerator: f32, area: f32) -> i32 {
-    return i32(clamp(floor(hold(numerator * 256.0) / area + 0.5), -1073741824.0, 1073741824.0));
+    return i32(clamp(floor(quotient(hold(numerator * 256.0), area) + 0.5), -1073741824.0, 1073741824.0));
 }
 
 // The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.

@@ -2,6 +2,7 @@
 #import "tables/lens.wgsl"
 #import "tables/piece.wgsl"
 #import "raster/hold.wgsl"
+#import "math/quotient.wgsl"
 
 fn along(row: vec4f, p: vec3f) -> f32 {
     return ((hold(row.x * p.x) + hold(row.y * p.y)) + hold(row.z * p.z)) + row.w;
@@ -38,9 +39,9 @@ fn outcode(c: vec4f) -> u32 {
 // Homogeneous division and Clip2Screen, in 1/256 pixel with y down; depth as a share of DEEP.
 fn snap(c: vec4f) -> vec3i {
     let half = vec2f(f32(lens.span_x * 128u), f32(lens.span_y * 128u));
-    let x = half.x + hold(half.x * hold(c.x / c.w));
-    let y = half.y - hold(half.y * hold(c.y / c.w));
-    let z = clamp(hold(c.z / c.w), 0.0, 1.0) * f32(DEEP);
+    let x = half.x + hold(half.x * hold(quotient(c.x, c.w)));
+    let y = half.y - hold(half.y * hold(quotient(c.y, c.w)));
+    let z = clamp(hold(quotient(c.z, c.w)), 0.0, 1.0) * f32(DEEP);
     let start = vec2i(vec2u(lens.left, lens.top) % REGION) * 256;
     return vec3i(i32(floor(x + 0.5)) - start.x, i32(floor(y + 0.5)) - start.y, i32(z));
 }

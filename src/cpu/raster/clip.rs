@@ -3,6 +3,7 @@
 use glam::Vec4;
 
 use super::snap::height;
+use crate::math::quotient::quotient;
 use crate::tables::{Lens, MOST_CORNERS, PLANES};
 
 /// Where an edge that crosses a plane meets it.
@@ -11,7 +12,7 @@ use crate::tables::{Lens, MOST_CORNERS, PLANES};
 #[must_use]
 pub fn meet(lens: &Lens, inside: Vec4, outside: Vec4, plane: u32) -> Vec4 {
     let from_inside = height(lens, plane, inside);
-    let t = from_inside / (from_inside - height(lens, plane, outside));
+    let t = quotient(from_inside, from_inside - height(lens, plane, outside));
     inside + (outside - inside) * t
 }
 

@@ -2,6 +2,7 @@
 
 use glam::{IVec2, IVec3, IVec4};
 
+use crate::math::quotient::quotient;
 use crate::tables::{Lens, NO_DEPTH, STEEPEST};
 
 /// The plane of depth of a triangle, as seen from a pixel near it, its origin.
@@ -100,7 +101,7 @@ pub fn edge(p: IVec3, q: IVec3, origin: IVec2) -> IVec3 {
 
 /// A slope in depths a pixel, from its numerator and twice the area.
 fn slope(numerator: f32, area: f32) -> i32 {
-    (numerator * 256.0 / area + 0.5).floor().clamp(-1_073_741_824.0, 1_073_741_824.0) as i32
+    (quotient(numerator * 256.0, area) + 0.5).floor().clamp(-1_073_741_824.0, 1_073_741_824.0) as i32
 }
 
 /// The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.

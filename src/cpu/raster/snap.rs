@@ -2,6 +2,7 @@
 
 use glam::{IVec3, Vec3, Vec4};
 
+use crate::math::quotient::quotient;
 use crate::tables::{DEEP, Lens, PLANES, REGION};
 
 fn along(row: Vec4, p: Vec3) -> f32 {
@@ -37,9 +38,9 @@ pub fn outcode(lens: &Lens, c: Vec4) -> u32 {
 #[must_use]
 pub fn snap(lens: &Lens, c: Vec4) -> IVec3 {
     let half = [(lens.span_x * 128) as f32, (lens.span_y * 128) as f32];
-    let x = half[0] + half[0] * (c.x / c.w);
-    let y = half[1] - half[1] * (c.y / c.w);
-    let z = (c.z / c.w).clamp(0.0, 1.0) * DEEP as f32;
+    let x = half[0] + half[0] * quotient(c.x, c.w);
+    let y = half[1] - half[1] * quotient(c.y, c.w);
+    let z = quotient(c.z, c.w).clamp(0.0, 1.0) * DEEP as f32;
     let start = [lens.left, lens.top].map(|at| (at % REGION) as i32 * 256);
     IVec3::new((x + 0.5).floor() as i32 - start[0], (y + 0.5).floor() as i32 - start[1], z as i32)
 }
