@@ -3,6 +3,7 @@
 mod buffer;
 mod error;
 mod kernel;
+mod looks;
 mod pace;
 mod raster;
 mod texels;

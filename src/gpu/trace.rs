@@ -5,12 +5,13 @@ use std::time::Instant;
 
 use bytemuck::Zeroable as _;
 
+use super::looks::looks;
 use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::tables::{
-    BLINN, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables,
-    View, Waiting,
+    CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables, View,
+    Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -67,12 +68,9 @@ impl<'a> GpuTrace<'a> {
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
         let has = |behavior| tables.materials.iter().any(|material| material.behavior == behavior);
-        let blinn = usize::from(tables.settings.specular == BLINN);
         let written_out = [
             ("diffuse", usize::from(has(DIFFUSE))),
             ("glass", usize::from(has(GLASS))),
-            ("blinn", blinn),
-            ("phong", 1 - blinn),
             ("spheres", tables.spheres.len()),
             ("planes", tables.planes.len()),
             ("materials", tables.materials.len()),
@@ -81,7 +79,9 @@ impl<'a> GpuTrace<'a> {
             ("deep", tables.deep as usize),
         ];
         let counted = written_out.into_iter();
-        let sources = &counted.fold(sources.clone(), |all, (kind, count)| all.with_count(kind, count as u32));
+        let settings = &tables.settings;
+        let sources = looks(sources.clone(), &tables.paints, settings.filtering, settings.specular);
+        let sources = &counted.fold(sources, |all, (kind, count)| all.with_count(kind, count as u32));
         let few = tables.few.then(|| Kernel::new(gpu, sources, "trace/few"));
         let [depth, deep] = [tables.settings.max_depth, tables.deep].map(u64::from);
         let a_pixel = depth * size_of::<Waiting>() as u64 + deep * 8 + size_of::<Path>() as u64;

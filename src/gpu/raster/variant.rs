@@ -1,8 +1,9 @@
 //! an adapter -> the variants of the rasterizer's kernels that suit it
 
+use crate::gpu::looks::looks;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Error, Gpu, Kernel};
-use crate::tables::{BILINEAR, BLINN, Drawing, MIPMAP, Map, NEAREST, NONE, PHONG, Paint, SHOW_COLOR};
+use crate::tables::{Drawing, SHOW_COLOR};
 
 /// Which variants of the kernels are used. None of it shows in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,21 +58,8 @@ impl Variant {
     /// `shade` for a drawing: what it has none of is left out, since lavapipe runs both sides of every `if`.
     pub(super) fn shader(self, gpu: &Gpu, sources: &Sources, drawing: &Drawing) -> Result<Kernel, Error> {
         let canvas = &drawing.canvas;
-        let has = |map: fn(&Paint) -> &Map| drawing.paints.iter().any(|paint| map(paint).first != NONE);
-        let needs = [
-            ("nearest", canvas.filtering == NEAREST),
-            ("bilinear", canvas.filtering == BILINEAR),
-            ("mipmap", canvas.filtering == MIPMAP),
-            ("phong", canvas.specular == PHONG),
-            ("blinn", canvas.specular == BLINN),
-            ("colors", has(|paint| &paint.diffuse_map)),
-            ("bumps", has(|paint| &paint.normal_map)),
-            ("gloss", has(|paint| &paint.specular_map)),
-            ("sharpness", has(|paint| &paint.exponent_map)),
-            ("views", canvas.show != SHOW_COLOR),
-        ];
-        let sources =
-            needs.iter().fold(self.sources(sources), |all, (kind, is)| all.with_count(kind, u32::from(*is)));
+        let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
+        let sources = sources.with_count("views", u32::from(canvas.show != SHOW_COLOR));
         Kernel::new(gpu, &sources.for_what("eye"), "raster/shade")
     }
 
