@@ -10,8 +10,9 @@ use twinlight::tables::{
 /// All tables in one module.
 fn module() -> Module {
     let tables = FILES.iter().filter(|(name, _)| name.starts_with("tables/"));
-    let imports: String = tables.map(|(name, _)| format!("#import \"{name}.wgsl\"\n")).collect();
-    let text = join(&Sources::default().with("all", imports), "all").unwrap_or_else(|e| panic!("{e}")).text;
+    let imports: Vec<_> = tables.map(|(name, _)| format!("#import \"{name}.wgsl\"\n")).collect();
+    let text =
+        join(&Sources::default().with("all", imports.concat()), "all").unwrap_or_else(|e| panic!("{e}")).text;
     naga::front::wgsl::parse_str(&text).unwrap_or_else(|e| panic!("{}", e.emit_to_string(&text)))
 }
 

@@ -117,7 +117,12 @@ fn main(
         let id = NONE - image[2u * i];
         let mine = id - part.first < part.faces;
         if (mine || (id == NONE && part.first == 0u)) {
-            sums[i] += vec4f(select(canvas.background, color_at(i, id), mine), 1.0);
+            let sample = vec4f(select(canvas.background, color_at(i, id), mine), 1.0);
+#if once
+            sums[i] = sample;
+#else
+            sums[i] += sample;
+#end
         }
     }
 }

@@ -60,6 +60,7 @@ impl Variant {
         let canvas = &drawing.canvas;
         let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
         let sources = sources.with_count("views", u32::from(canvas.show != SHOW_COLOR));
+        let sources = if drawing.samples() == 1 { sources.for_what("once") } else { sources };
         Kernel::new(gpu, &sources.for_what("eye"), "raster/shade")
     }
 
