@@ -6,7 +6,8 @@
 //!              -> sift -> shade, ground                                                    -> Film
 //! ```
 //!
-//! Instead of sift, shade and ground, crowd -> heat show how much each tile has to do (`--show tiles`).
+//! Cut-out faces go the same way once more, each lens's after all others, with lace in the place of cover: it asks their
+//! pictures whether they are there. Instead of sift, shade and ground, crowd -> heat show how much each tile has to do (`--show tiles`).
 //!
 //! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in
 //! integers and by a maximum, so neither the order of the work nor its division can show in the picture: small faces
@@ -51,9 +52,11 @@ pub trait Raster {
 
     /// faces -> small ones drawn onto the image, and the numbers of all others
     ///
+    /// `lace`: of cut-out faces, none of which is drawn at once; else of all others.
+    ///
     /// # Errors
     /// If the stage cannot be done.
-    fn split(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
+    fn split(&mut self, lens: &Lens, image: &mut Self::Image, lace: bool) -> Result<(), Self::Error>;
 
     /// faces that are large or cross a plane -> pieces of them, bin by bin
     ///
@@ -84,6 +87,15 @@ pub trait Raster {
     /// # Errors
     /// If the stage cannot be done.
     fn cover(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
+
+    /// Whether any face is cut out.
+    fn laced(&self) -> bool;
+
+    /// the lists of each tile -> the nearest of its pixels where a cut-out face is there, and the least id of those
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn lace(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
     /// Waits for the stages; false if something found no room. There is room now, and they are to be done again: what is
     /// drawn twice stays what it is.
@@ -141,13 +153,22 @@ pub trait Raster {
 /// The backend's.
 pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
     stages.project(lens)?;
+    layer(stages, lens, image, false)?;
+    if stages.laced() { layer(stages, lens, image, true) } else { Ok(()) }
+}
+
+fn layer<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image, lace: bool) -> Result<(), R::Error> {
     loop {
-        stages.split(lens, image)?;
+        stages.split(lens, image, lace)?;
         stages.cut(lens)?;
         stages.count(lens)?;
         stages.scan(lens)?;
         stages.fill(lens)?;
-        stages.cover(lens, image)?;
+        if lace {
+            stages.lace(lens, image)?;
+        } else {
+            stages.cover(lens, image)?;
+        }
         if stages.settle(lens, image)? {
             return Ok(());
         }

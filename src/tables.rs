@@ -24,7 +24,7 @@ pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
 pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, REGION, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
-pub use mesh::{Face, ONE_SIDED, Part, Vertex};
+pub use mesh::{CUT_OUT, Face, ONE_SIDED, Part, Vertex};
 pub use node::Node;
 pub use paint::{
     BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,

@@ -45,7 +45,7 @@ fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage) -> Vec<(&
     at = lap(ours, "clear", at);
     ours.project(lens).expect("project");
     at = lap(ours, "project", at);
-    ours.split(lens, image).expect("split");
+    ours.split(lens, image, false).expect("split");
     at = lap(ours, "split", at);
     ours.cut(lens).expect("cut");
     at = lap(ours, "cut", at);

@@ -11,6 +11,7 @@ pub mod fill;
 pub mod ground;
 pub mod heat;
 pub mod hold;
+pub mod lace;
 pub mod mark;
 pub mod pixels;
 pub mod plan;
@@ -31,7 +32,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{CUT_OUT, Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -129,11 +130,12 @@ impl Raster for CpuRaster<'_> {
         Ok(())
     }
 
-    fn split(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
+    fn split(&mut self, lens: &Lens, image: &mut Image, lace: bool) -> Result<(), Infallible> {
         let corners = &self.corners;
         let chunks = self.drawing.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
             let ids = (chunk * CHUNK) as u32..;
-            let late = faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, corners, &image.nears));
+            let late =
+                faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, corners, lace, &image.nears));
             late.map(|(_, id)| id).collect::<Vec<_>>()
         });
         self.late = chunks.flatten_iter().collect();
@@ -169,6 +171,19 @@ impl Raster for CpuRaster<'_> {
             let first = 2 * tile as usize;
             let list = &self.entries[self.starts[first] as usize..self.starts[first + 2] as usize];
             cover::cover(lens, tile, &self.pieces, list, &image.nears, &image.ids);
+        });
+        Ok(())
+    }
+
+    fn laced(&self) -> bool {
+        self.drawing.faces.iter().any(|face| face.paint & CUT_OUT != 0)
+    }
+
+    fn lace(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
+        self.busy.par_iter().for_each(|&tile| {
+            let first = 2 * tile as usize;
+            let list = &self.entries[self.starts[first] as usize..self.starts[first + 2] as usize];
+            lace::lace(self.drawing, lens, tile, (&self.pieces, list), &image.nears, &image.ids);
         });
         Ok(())
     }

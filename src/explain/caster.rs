@@ -20,8 +20,14 @@ pub(super) fn caster(drawing: &Drawing, lens: &Lens, [column, row]: [u32; 2]) ->
     let id = seen(drawing, &texel).1[0];
     let face = drawing.faces.get(id as usize)?;
     let none = Map { first: NONE, ..Map::zeroed() };
-    let bare =
-        Paint { diffuse_map: none, normal_map: none, specular_map: none, exponent_map: none, ..Paint::zeroed() };
+    let bare = Paint {
+        diffuse_map: none,
+        normal_map: none,
+        specular_map: none,
+        exponent_map: none,
+        opacity_map: none,
+        ..Paint::zeroed()
+    };
     let alone = Drawing {
         eyes: Vec::new(),
         most: drawing.most,

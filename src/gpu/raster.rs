@@ -13,7 +13,7 @@ use bytemuck::Zeroable as _;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
-use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{CUT_OUT, Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 use part::{Bound, parts};
 
 /// What is nearest, on the device.
@@ -31,6 +31,10 @@ pub struct GpuRaster<'a> {
     kernels: Arc<Kernels>,
     /// The stage `shade`, written out for what the drawing has.
     shader: Kernel,
+    /// For a drawing with cut-out faces.
+    laces: Option<Laces>,
+    /// Whether cut-out faces are what is drawn.
+    in_lace: bool,
     parts: Vec<Bound>,
     lens: Buffer<Lens>,
     lenses: Texels,
@@ -79,6 +83,13 @@ struct Kernels {
     ground: Kernel,
     crowd: Kernel,
     heat: Kernel,
+}
+
+/// The stages of cut-out faces that are not those of all others.
+#[derive(Debug)]
+struct Laces {
+    split: [Kernel; 2],
+    lace: [Kernel; 2],
 }
 
 /// Rows of the calls.
@@ -156,11 +167,23 @@ impl<'a> GpuRaster<'a> {
         let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0) as usize;
         let tiles = eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
         let runs = pixels.div_ceil(kernels.sift.group() as usize);
+        let cut_out = drawing.faces.iter().any(|face| face.paint & CUT_OUT != 0);
+        let laces = cut_out.then(|| {
+            let sources = kernels.sources.clone().for_what("lace");
+            let kernel = |name, eye| kernels.variant.kernel(gpu, &sources, name, eye);
+            Ok::<_, Error>(Laces {
+                split: [kernel("split", false)?, kernel("split", true)?],
+                lace: [kernel("lace", false)?, kernel("lace", true)?],
+            })
+        });
+        let laces = laces.transpose()?;
         let shader = kernels.variant.shader(gpu, &kernels.sources, drawing)?;
         Ok(Self {
             gpu,
             kernels,
             shader,
+            laces,
+            in_lace: false,
             parts: parts(gpu, drawing, room.binding)?,
             lens: gpu.uniform("lens", &Lens::zeroed())?,
             lenses: gpu.texels("lenses", &drawing.lenses)?,
@@ -192,6 +215,10 @@ impl<'a> GpuRaster<'a> {
         work(self, &mut encoder)?;
         self.encoder = Some(encoder);
         Ok(())
+    }
+
+    fn split_of(&self, lace: bool) -> &[Kernel; 2] {
+        self.laces.as_ref().filter(|_| lace).map_or(&self.kernels.split, |laces| &laces.split)
     }
 
     fn recorded(&mut self) -> wgpu::CommandEncoder {

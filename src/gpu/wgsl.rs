@@ -41,6 +41,7 @@ embed! {
     "raster/ground",
     "raster/heat",
     "raster/hold",
+    "raster/lace",
     "raster/mark",
     "raster/pixels",
     "raster/plan",

@@ -10,7 +10,7 @@ use super::window::regions;
 use super::{filtering, pose};
 use crate::math::vector::unit;
 use crate::scene::{Camera, Light, Scene, Show, Specular};
-use crate::tables::{self, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
+use crate::tables::{self, CUT_OUT, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
 const SHADOW_WORDS: u32 = (128 << 20) / 4;
@@ -34,7 +34,13 @@ pub fn draw(scene: &Scene) -> Drawing {
     sheet.triangles(scene);
     let bounds = bounds(&sheet);
     sheet.planes(scene);
-    let Sheet { vertices, faces, paints, texels, .. } = sheet;
+    let Sheet { vertices, mut faces, paints, texels, .. } = sheet;
+    if scene.raster.show == Show::Tiles {
+        // A cut-out face is work for all of its pixels.
+        for face in &mut faces {
+            face.paint &= !CUT_OUT;
+        }
+    }
 
     let mut drawing = Drawing {
         eyes: eyes(scene),

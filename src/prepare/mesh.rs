@@ -9,7 +9,7 @@ use crate::film::Transfer;
 use crate::math::vector::unit;
 use crate::scene::model::{self, Content, Model};
 use crate::scene::{Material, Mesh, Scene};
-use crate::tables::{Face, Map, NONE, ONE_SIDED, Paint, Vertex};
+use crate::tables::{CUT_OUT, Face, Map, NONE, ONE_SIDED, Paint, Vertex};
 
 /// A drawing's triangles while they are gathered.
 #[derive(Debug, Default)]
@@ -68,7 +68,8 @@ impl Sheet {
                 })
             });
             let paint = mesh.material.map_or(first_paint + triangle.material, |m| m as u32);
-            self.faces.push(Face { a, b, c, paint: paint | side });
+            let cut = self.paints.get(paint as usize).is_some_and(|paint| paint.opacity_map.first != NONE);
+            self.faces.push(Face { a, b, c, paint: paint | side | if cut { CUT_OUT } else { 0 } });
         }
     }
 
@@ -79,6 +80,12 @@ impl Sheet {
         let (mut width, mut height) = (texture.width, texture.height);
         let first = self.texels.len() as u32;
         let mut level: Vec<[u8; 4]> = texture.texels.to_vec();
+        // Opacity is in alpha, or else in red.
+        if texture.content == Content::Scalar && !texture.has_alpha {
+            for texel in &mut level {
+                texel[3] = texel[0];
+            }
+        }
         let mut levels = 1;
         loop {
             self.texels.extend(level.iter().map(|t| u32::from_le_bytes(*t)));
@@ -184,6 +191,7 @@ fn cover(m: &Material, textures: &[Map]) -> Paint {
         normal_map: lay(m.maps.normal, textures),
         specular_map: lay(m.maps.specular, textures),
         exponent_map: BARE,
+        opacity_map: BARE,
     }
 }
 
@@ -199,5 +207,6 @@ fn dress(m: &model::Material, textures: &[Map]) -> Paint {
         normal_map: map(m.normal_map),
         specular_map: map(m.specular_map),
         exponent_map: map(m.exponent_map),
+        opacity_map: map(m.opacity_map),
     }
 }

@@ -26,7 +26,7 @@ pub struct Face {
     pub b: u32,
     /// Third vertex.
     pub c: u32,
-    /// Which of the paints, and [`ONE_SIDED`].
+    /// Which of the paints, and [`ONE_SIDED`] and [`CUT_OUT`].
     pub paint: u32,
 }
 
@@ -44,3 +44,5 @@ pub struct Part {
 
 /// The face is not there when it is seen from its back.
 pub const ONE_SIDED: u32 = 0x8000_0000;
+/// The face is not there where its paint's opacity map is below a half.
+pub const CUT_OUT: u32 = 0x4000_0000;

@@ -40,6 +40,8 @@ pub struct Paint {
     pub specular_map: Map,
     /// Shares of the exponent, in red.
     pub exponent_map: Map,
+    /// Opacities, in alpha.
+    pub opacity_map: Map,
 }
 
 impl Paint {

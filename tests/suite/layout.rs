@@ -42,6 +42,7 @@ macro_rules! mirror {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "one list of all tables")]
 fn structs_are_the_same() {
     let module = module();
     let mirrored = [
@@ -133,7 +134,17 @@ fn structs_are_the_same() {
         mirror!(module, Map { first, width, height, levels, scale, shift }),
         mirror!(
             module,
-            Paint { color, exponent, specular, bump, diffuse_map, normal_map, specular_map, exponent_map }
+            Paint {
+                color,
+                exponent,
+                specular,
+                bump,
+                diffuse_map,
+                normal_map,
+                specular_map,
+                exponent_map,
+                opacity_map
+            }
         ),
         mirror!(module, Lamp { place, kind, power, lens }),
         mirror!(module, Canvas { eye, lamps, background, specular, ambient, shade, filtering, blur, show, reach }),
@@ -200,6 +211,7 @@ fn constants_are_the_same() {
         MOST_LENSES,
         STEEPEST,
         ONE_SIDED,
+        CUT_OUT,
         PLANES,
         MOST_CORNERS,
         NEAREST,

@@ -28,6 +28,7 @@ mod parts;
 mod quotient;
 mod raster_exact;
 mod raster_frames;
+mod raster_lace;
 mod raster_mutants;
 mod raster_oracle;
 mod raster_order;

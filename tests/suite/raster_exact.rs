@@ -123,7 +123,7 @@ fn raster_stages_are_the_same() {
         let mut stages = kernels.again(&drawing, Room::default()).expect("buffers");
         let mut image = stages.image(lens.pixels() as usize, true).expect("an image");
         stages.project(lens).expect("project");
-        stages.split(lens, &mut image).expect("split");
+        stages.split(lens, &mut image, false).expect("split");
         let told = stages.told().expect("told");
         assert_eq!(stages.corners().expect("corners"), cpu.corners, "project, drawing {number}");
         let late = gpu.read(&stages.late).expect("late");

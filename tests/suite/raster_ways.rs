@@ -9,7 +9,7 @@ use super::gpu;
 use super::raster_exact::{on_cpu, random_drawing};
 
 /// Depths and ids, with so much room.
-fn drawn(kernels: &GpuRaster<'_>, drawing: &Drawing, room: Room) -> [Vec<u32>; 2] {
+pub(super) fn drawn(kernels: &GpuRaster<'_>, drawing: &Drawing, room: Room) -> [Vec<u32>; 2] {
     let lens = &drawing.eyes[0];
     let mut stages = kernels.again(drawing, room).expect("buffers");
     let mut image = stages.image(lens.pixels() as usize, true).expect("an image");

@@ -40,7 +40,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let start = vec2u(lens.left, lens.top) % REGION;
     let at = vec2f(start + place_of(pixel)) + 0.5;
     let face = face_at(id - part.first);
-    let paint = paint_at(face.paint & ~ONE_SIDED);
+    let paint = paint_at(face.paint & ~(ONE_SIDED | CUT_OUT));
     let a = vertex_at(face.a);
     let b = vertex_at(face.b);
     let c = vertex_at(face.c);

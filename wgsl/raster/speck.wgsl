@@ -7,6 +7,13 @@
 @group(0) @binding(1) var<uniform> part: Part;
 @group(0) @binding(2) var<storage, read> corners: array<Corner>;
 
+#if lace
+// Cut-out faces alone, none of which is drawn at once.
+const LACE: bool = true;
+#else
+const LACE: bool = false;
+#end
+
 const NOTHING: u32 = 0u;
 const SMALL: u32 = 1u;
 // It is large.
@@ -56,10 +63,11 @@ fn speck(i: u32) -> Speck {
     let depths = depths_of(p, q, r, f32(abs(turn)), bounds.xy);
     let plan = Plan(vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), depths);
 
-    let small = select(NOTHING, SMALL, there && on_film);
+    let small = select(NOTHING, select(SMALL, LATE, LACE), there && on_film);
     let whole_kind = select(small, select(NOTHING, LATE, on_film), large);
     let beyond = (ca.code & cb.code & cc.code) != 0u;
-    let kind = select(whole_kind, select(TORN, NOTHING, beyond), crosses);
+    let seen = select(whole_kind, select(TORN, NOTHING, beyond), crosses);
+    let kind = select(NOTHING, seen, ((face.paint & CUT_OUT) != 0u) == LACE);
     return Speck(kind, bounds.xy, bounds.zw, plan);
 }
 

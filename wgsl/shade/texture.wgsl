@@ -40,6 +40,13 @@ fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
     return vec3f(bytes) / 255.0;
 }
 
+// Its alpha.
+fn alpha_of(level: Level, x: i32, y: i32) -> f32 {
+    let row = level.height - 1 - wrapped(y, level.height);
+    let word = texel(texels, level.first + u32(row * level.width + wrapped(x, level.width))).x;
+    return f32(word >> 24u) / 255.0;
+}
+
 fn blend(p: vec3f, q: vec3f, share: f32) -> vec3f {
     let way = q - p;
     return p + vec3f(hold(way.x * share), hold(way.y * share), hold(way.z * share));
@@ -88,4 +95,26 @@ fn sample_map(map: Map, filtering: u32, uv: vec2f, right: vec2f, down: vec2f, de
     }
     #end
     return color;
+}
+
+// Whether a face with this opacity map is there: what is half transparent is. Read from the finest level.
+fn is_there(map: Map, filtering: u32, uv: vec2f) -> bool {
+    let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
+    let level = level_of(map, 0u);
+    let x = hold((full.x - floor(full.x)) * f32(map.width));
+    let y = hold((full.y - floor(full.y)) * f32(map.height));
+    if (filtering == NEAREST) {
+        return alpha_of(level, i32(x), i32(y)) >= 0.5;
+    }
+    let column = i32(floor(x - 0.5));
+    let row = i32(floor(y - 0.5));
+    let across = (x - 0.5) - floor(x - 0.5);
+    let up = (y - 0.5) - floor(y - 0.5);
+    let low = mixed(alpha_of(level, column, row), alpha_of(level, column + 1, row), across);
+    let high = mixed(alpha_of(level, column, row + 1), alpha_of(level, column + 1, row + 1), across);
+    return mixed(low, high, up) >= 0.5;
+}
+
+fn mixed(p: f32, q: f32, share: f32) -> f32 {
+    return p + hold((q - p) * share);
 }

@@ -13,12 +13,14 @@ struct Face {
     a: u32,
     b: u32,
     c: u32,
-    // Which of the paints, and ONE_SIDED.
+    // Which of the paints, and ONE_SIDED and CUT_OUT.
     paint: u32,
 }
 
 // The face is not there when it is seen from its back.
 const ONE_SIDED: u32 = 0x80000000u;
+// The face is not there where its paint's opacity map is below a half.
+const CUT_OUT: u32 = 0x40000000u;
 
 // Faces that are bound together with their vertices: the ids from `first` on.
 struct Part {

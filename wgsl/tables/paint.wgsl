@@ -27,6 +27,8 @@ struct Paint {
     normal_map: Map,
     specular_map: Map,
     exponent_map: Map,
+    // In alpha.
+    opacity_map: Map,
 }
 
 // A light and the lenses that it sees the scene through.
@@ -87,11 +89,12 @@ fn map_at(i: u32) -> Map {
 }
 
 fn paint_at(i: u32) -> Paint {
-    let first = i * 10u;
+    let first = i * 12u;
     let a = bitcast<vec4f>(texel(paints, first));
     let b = bitcast<vec4f>(texel(paints, first + 1u));
     return Paint(
         a.xyz, a.w, b.xyz, b.w, map_at(first + 2u), map_at(first + 4u), map_at(first + 6u), map_at(first + 8u),
+        map_at(first + 10u),
     );
 }
 

@@ -3,10 +3,13 @@
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use super::speck::{Speck, each_pixel, speck};
-use crate::tables::{Corner, Face, Lens, NONE};
+use crate::tables::{CUT_OUT, Corner, Face, Lens, NONE};
 
 /// One face, as [`split`](super::split::split) drew it.
 pub fn mark(lens: &Lens, id: u32, face: &Face, corners: &[Corner], nears: &[AtomicU32], ids: &[AtomicU32]) {
+    if face.paint & CUT_OUT != 0 {
+        return;
+    }
     if let Speck::Small { first, last, plan } = speck(lens, face, corners) {
         each_pixel(lens, first, last, &plan, |pixel, near| {
             if nears[(lens.first + pixel) as usize].load(Relaxed) == near {

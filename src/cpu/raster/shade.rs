@@ -12,8 +12,8 @@ use crate::cpu::shade::phong::phong;
 use crate::cpu::witness::{Fragment, Term, Witness};
 use crate::math::vector::unit;
 use crate::tables::{
-    Drawing, Lens, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE, SHOW_ID,
-    SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
+    CUT_OUT, Drawing, Lens, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE,
+    SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
 };
 
 /// Another color for every number.
@@ -34,7 +34,7 @@ fn color_at(
     let [x, y] = [lens.left % REGION + pixel % lens.width, lens.top % REGION + pixel / lens.width];
     let at = Vec2::new(x as f32, y as f32) + 0.5;
     let face = drawing.faces[id as usize];
-    let paint = &drawing.paints[(face.paint & !ONE_SIDED) as usize];
+    let paint = &drawing.paints[(face.paint & !(ONE_SIDED | CUT_OUT)) as usize];
     let corners = [face.a, face.b, face.c].map(|i| &drawing.vertices[i as usize]);
     let [a, b, c] = corners;
     let clip: [Vec4; 3] = corners.map(|vertex| to_clip(lens, vertex.position));

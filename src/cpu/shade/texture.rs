@@ -46,6 +46,13 @@ fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
     )
 }
 
+/// Its alpha.
+fn alpha_of(texels: &[u32], level: Level, x: i32, y: i32) -> f32 {
+    let row = level.height - 1 - wrapped(y, level.height);
+    let word = texels[level.first as usize + (row * level.width + wrapped(x, level.width)) as usize];
+    (word >> 24) as f32 / 255.0
+}
+
 fn blend(p: Vec3, q: Vec3, share: f32) -> Vec3 {
     p + (q - p) * share
 }
@@ -85,4 +92,21 @@ pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], dec
     }
     let far = bilinear(texels, level_of(map, fine + 1), u, v, decode);
     blend(near, far, detail - detail.floor())
+}
+
+/// Whether a face with this opacity map is there: what is half transparent is. Read from the finest level.
+#[must_use]
+pub fn is_there(texels: &[u32], filtering: u32, map: &Map, uv: Vec2) -> bool {
+    let full = uv * map.scale + map.shift;
+    let level = level_of(map, 0);
+    let x = (full.x - full.x.floor()) * map.width as f32;
+    let y = (full.y - full.y.floor()) * map.height as f32;
+    if filtering == NEAREST {
+        return alpha_of(texels, level, x as i32, y as i32) >= 0.5;
+    }
+    let (column, row) = ((x - 0.5).floor() as i32, (y - 0.5).floor() as i32);
+    let (across, up) = ((x - 0.5) - (x - 0.5).floor(), (y - 0.5) - (y - 0.5).floor());
+    let at = |dx: i32, dy: i32| alpha_of(texels, level, column + dx, row + dy);
+    let mixed = |p: f32, q: f32, share: f32| p + (q - p) * share;
+    mixed(mixed(at(0, 0), at(1, 0), across), mixed(at(0, 1), at(1, 1), across), up) >= 0.5
 }

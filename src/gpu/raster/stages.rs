@@ -41,7 +41,8 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
-    fn split(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+    fn split(&mut self, _lens: &Lens, image: &mut GpuImage, lace: bool) -> Result<(), Error> {
+        self.in_lace = lace;
         self.record(|this, encoder| {
             this.tally.clear(encoder);
             let words = Binding::new("image", &image.words);
@@ -56,7 +57,7 @@ impl Raster for GpuRaster<'_> {
                     Binding::new("late", &this.late),
                     Binding::new("tally", &this.tally),
                 ];
-                let split = &this.kernels.split[usize::from(image.eye)];
+                let split = &this.split_of(lace)[usize::from(image.eye)];
                 split.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
             }
             this.call(encoder)
@@ -140,10 +141,41 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
+    fn laced(&self) -> bool {
+        self.laces.is_some()
+    }
+
+    fn lace(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let Some(laces) = &this.laces else { return Ok(()) };
+            for bound in &this.parts {
+                let bindings = [
+                    Binding::new("lens", &this.lens),
+                    Binding::new("canvas", &this.canvas),
+                    Binding::new("part", &bound.about),
+                    Binding::texels("vertices", &bound.vertices),
+                    Binding::texels("faces", &bound.faces),
+                    Binding::texels("paints", &this.paints),
+                    Binding::texels("texels", &this.texels),
+                    Binding::new("pieces", &this.pieces),
+                    Binding::new("starts", &this.starts),
+                    Binding::new("entries", &this.entries),
+                    Binding::new("busy", &this.busy),
+                    Binding::new("image", &image.words),
+                    Binding::new("tally", &this.tally),
+                ];
+                let lace = &laces.lace[usize::from(image.eye)];
+                lace.dispatch_called(this.gpu, encoder, &bindings, &this.calls, COVER)?;
+            }
+            Ok(())
+        })
+    }
+
     fn settle(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<bool, Error> {
         let mut told = self.told()?;
         let wanted = told;
-        let groups: u32 = fold(told.busy).iter().product();
+        let times = if self.in_lace { self.parts.len() as u32 } else { 1 };
+        let groups: u32 = times * fold(told.busy).iter().product::<u32>();
         for round in 1.. {
             let ran = CALLS + round * groups;
             if told.groups != ran {
@@ -156,7 +188,11 @@ impl Raster for GpuRaster<'_> {
                 break;
             }
             self.gpu.write(&self.lens, &[Lens { round, ..*lens }]);
-            self.cover(lens, image)?;
+            if self.in_lace {
+                self.lace(lens, image)?;
+            } else {
+                self.cover(lens, image)?;
+            }
             told = self.told()?;
         }
         self.gpu.write(&self.lens, &[*lens]);

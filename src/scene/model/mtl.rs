@@ -154,11 +154,6 @@ impl Written {
             let text = format!("material {name} is {much} transparent (`d` or `Tr`), and is drawn opaque");
             warnings.add(&self.file, self.line, text);
         }
-        for asked in self.maps.iter().filter(|asked| asked.used == Use::Opacity) {
-            let name = quote(asked.name.as_bytes());
-            let text = format!("the picture {name} cuts nothing out: opacity maps are drawn opaque");
-            warnings.add(&self.file, asked.line, text);
-        }
     }
 }
 
