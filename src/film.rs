@@ -19,6 +19,8 @@ pub use watch::{Run, Watch};
 
 use glam::Vec3;
 
+use crate::math::vector::luminance;
+
 /// Linear sums of samples and the id of what is seen first, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Film {
@@ -26,8 +28,20 @@ pub struct Film {
     height: u32,
     /// Red, green, blue and the number of samples in the sum.
     sums: Vec<[f32; 4]>,
+    /// Of the samples' luminances, summed; none where the samples are not told apart.
+    squares: Vec<f32>,
     /// The primitive that the first ray met, or [`NONE`](crate::tables::NONE).
     ids: Vec<u32>,
+}
+
+/// The variance of samples, without bias, from the sum of their colors and that of their luminances' squares.
+#[must_use]
+pub fn variance([red, green, blue, samples]: [f32; 4], squares: f32) -> f64 {
+    if samples < 2.0 {
+        return 0.0;
+    }
+    let (sum, n) = (f64::from(luminance(Vec3::new(red, green, blue))), f64::from(samples));
+    ((f64::from(squares) - sum * sum / n) / (n - 1.0)).max(0.0)
 }
 
 impl Film {
@@ -35,13 +49,14 @@ impl Film {
     #[must_use]
     pub fn new(width: u32, height: u32) -> Self {
         let pixels = width as usize * height as usize;
-        Self { width, height, sums: vec![[0.0; 4]; pixels], ids: vec![crate::tables::NONE; pixels] }
+        let (sums, ids) = (vec![[0.0; 4]; pixels], vec![crate::tables::NONE; pixels]);
+        Self { width, height, sums, squares: Vec::new(), ids }
     }
 
     /// Bytes that a film of this size takes with its 8-bit picture.
     #[must_use]
     pub fn bytes(width: u32, height: u32) -> u64 {
-        u64::from(width) * u64::from(height) * (16 + 4 + 3)
+        u64::from(width) * u64::from(height) * (16 + 4 + 4 + 3)
     }
 
     /// Pixels in a row.
@@ -70,6 +85,16 @@ impl Film {
         let first = first as usize;
         self.sums[first..first + sums.len()].copy_from_slice(sums);
         self.ids[first..first + ids.len()].copy_from_slice(ids);
+    }
+
+    /// Lays the squares of the luminances of a finished run's samples onto the film.
+    ///
+    /// # Panics
+    /// If the run reaches past the film's end.
+    pub fn put_squares(&mut self, first: u32, squares: &[f32]) {
+        self.squares.resize(self.sums.len(), 0.0);
+        let first = first as usize;
+        self.squares[first..first + squares.len()].copy_from_slice(squares);
     }
 
     /// Lays a finished rectangle onto the film, its first pixel at this column and row.
@@ -109,6 +134,29 @@ impl Film {
     #[must_use]
     pub fn samples(&self, pixel: u32) -> f32 {
         self.sums[pixel as usize][3]
+    }
+
+    /// Of each pixel's samples' luminances, summed; none where the samples are not told apart.
+    #[must_use]
+    pub fn squares(&self) -> &[f32] {
+        &self.squares
+    }
+
+    /// How far a pixel's samples lie apart: the variance of their luminances, without bias. Zero of a single sample;
+    /// nothing where the samples are not told apart.
+    ///
+    /// # Panics
+    /// If there is no such pixel.
+    #[must_use]
+    pub fn variance(&self, pixel: u32) -> Option<f32> {
+        Some(variance(self.sums[pixel as usize], *self.squares.get(pixel as usize)?) as f32)
+    }
+
+    /// How many samples a pixel has in the mean, to one digit.
+    #[must_use]
+    pub fn mean_samples(&self) -> f64 {
+        let all: f64 = self.sums.iter().map(|sum| f64::from(sum[3])).sum();
+        (all / f64::from(self.pixels()) * 10.0).round() / 10.0
     }
 
     /// Red, green, blue and the number of samples in the sum, pixel by pixel.

@@ -1,7 +1,9 @@
 //! A scene, a method and a backend -> a film. The only place that knows both backends.
 
+mod good;
 mod work;
 
+pub use good::Good;
 pub use work::{Digest, Work};
 
 use std::ops::ControlFlow;
@@ -46,6 +48,9 @@ pub enum Error {
     /// Samples that cannot be made alone; how many there are.
     #[error("{}", no_samples(*.0))]
     Samples(u32),
+    /// What needs samples that are told apart, of a method that does not.
+    #[error("{0} needs samples that are made one after the other; --method trace makes them so")]
+    Untold(&'static str),
     /// Whoever watched it wanted no more of it.
     #[error("stopped")]
     Stopped,

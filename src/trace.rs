@@ -12,6 +12,10 @@
 //! Samples are summed in blocks of [`BLOCK`], and the blocks' sums are added in order. So a frame that is stopped,
 //! resumed, or made in parts on many machines ([`Part`]) has the bits of one that was made at once.
 
+mod passes;
+
+pub use passes::{Until, passes};
+
 use std::ops::{ControlFlow, Range};
 
 use bytemuck::Zeroable as _;
@@ -32,6 +36,8 @@ pub struct Paths {
     pub walks: Vec<[u32; 2]>,
     /// Red, green, blue and the number of samples in the sum.
     pub sums: Vec<[f32; 4]>,
+    /// Of the samples' luminances, summed.
+    pub squares: Vec<f32>,
     /// What the first ray of the first sample met.
     pub ids: Vec<u32>,
 }
@@ -47,15 +53,19 @@ impl Paths {
             waiting: vec![Waiting::zeroed(); count * tables.settings.max_depth as usize],
             walks: vec![[0; 2]; count * tables.deep as usize],
             sums: vec![[0.0; 4]; count],
+            squares: vec![0.0; count],
             ids: vec![NONE; count],
         }
     }
 
-    /// The same, of which `first` is the first sample to be made.
+    /// Pixels that have the samples of a run, and get those up to `end`.
     #[must_use]
-    pub fn from_sample(mut self, first: u32) -> Self {
-        self.paths.iter_mut().for_each(|path| path.sample = first);
-        self
+    pub fn of(run: &Run, end: u32, tables: &Tables) -> Self {
+        let mut paths = Self::new(run.pixels.clone(), tables);
+        for (i, path) in paths.paths.iter_mut().enumerate() {
+            path.sample = if run.has_ended(i) { end } else { run.samples.end };
+        }
+        Self { sums: run.sums.clone(), squares: run.squares.clone(), ids: run.ids.clone(), ..paths }
     }
 }
 
@@ -73,11 +83,11 @@ pub trait Trace {
     /// Rounds of the three stages before the host looks at how far they are.
     fn rounds(&self) -> u32;
 
-    /// Pixels with none of the samples yet.
+    /// Pixels that have the samples of `run`, which are of one block or none, and get those up to `end`.
     ///
     /// # Errors
     /// If there is no room for them.
-    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Self::Paths, Self::Error>;
+    fn begin(&mut self, run: &Run, end: u32) -> Result<Self::Paths, Self::Error>;
 
     /// pixels -> primary rays
     ///
@@ -142,6 +152,16 @@ impl Part {
     pub fn whole(tables: &Tables) -> Self {
         Self { columns: 0..tables.view.width, rows: 0..tables.view.height, samples: 0..tables.samples }
     }
+
+    /// Pixels that follow each other: rows that are wanted whole do, of others each is a run of its own.
+    fn runs(&self, tables: &Tables) -> Vec<Range<u32>> {
+        let width = tables.view.width;
+        let row = |row: u32| row * width + self.columns.start..row * width + self.columns.end;
+        if self.columns.len() as u32 == width {
+            return std::iter::once(row(self.rows.start).start..row(self.rows.end).start).collect();
+        }
+        self.rows.clone().map(row).collect()
+    }
 }
 
 /// One frame: every pixel, every sample. `watch` is told the fraction done, and may stop it.
@@ -164,28 +184,23 @@ pub fn part<T: Trace>(
 ) -> Result<Film, T::Error> {
     let Part { columns, rows, samples } = part;
     let mut film = Film::new(columns.len() as u32, rows.len() as u32);
-    // Rows that are wanted whole follow each other; of others each is a run of its own.
-    let (runs, length) = if columns.len() as u32 == tables.view.width {
-        (1, film.pixels())
-    } else {
-        (rows.len() as u32, film.width())
-    };
     let mut eased = false;
-    for row in 0..runs {
-        let start = (rows.start + row) * tables.view.width + columns.start;
+    let mut laid = 0;
+    for Range { start, end } in part.runs(tables) {
         let mut first = start;
-        while first < start + length {
+        while first < end {
             // What was kept before a failure is as long as what failed.
             let kept = if eased { None } else { watch.kept(first) };
             let most = stages.most_pixels().max(1);
-            let run = kept.unwrap_or_else(|| Run::new(first..(start + length).min(first + most), samples.start));
-            let before = row * length + (first - start);
+            let run = kept.unwrap_or_else(|| Run::new(first..end.min(first + most), samples.start));
+            let before = laid + (first - start);
             let all = f64::from(film.pixels());
             let (before_it, length_of_it) = (f64::from(before) / all, run.pixels.len() as f64 / all);
             let mut watch = Share { watch, before: before_it, length: length_of_it };
             match follow_up(stages, tables, run, samples.end, &mut watch) {
                 Ok(Some(run)) => {
                     film.put(before, &run.sums, &run.ids);
+                    film.put_squares(before, &run.squares);
                     first = run.pixels.end;
                     eased = false;
                 }
@@ -196,6 +211,7 @@ pub fn part<T: Trace>(
                 }
             }
         }
+        laid += end - start;
     }
     let _ = watch.done(1.0);
     Ok(film)
@@ -230,27 +246,29 @@ fn follow_up<T: Trace>(
             let done = f64::from(start - first) + part * block.len() as f64;
             watch.done(done / f64::from(end - first))
         };
-        let Some(paths) = self::block(stages, tables, run.pixels.clone(), block.clone(), &mut within)? else {
+        let empty = Run::new(run.pixels.clone(), block.start);
+        let Some(paths) = self::block(stages, tables, &empty, block.end, &mut within)? else {
             return Ok(None);
         };
-        run.add(block.end, &paths.sums, &paths.ids);
+        run.add(block.end, &paths.sums, &paths.squares, &paths.ids);
         watch.watch.keep(&run);
     }
     Ok(Some(run))
 }
 
-/// A block of samples of a run of pixels; nothing if it was stopped.
+/// The samples of a block up to `end`, of pixels that have some of them; nothing if it was stopped.
 fn block<T: Trace>(
     stages: &mut T,
     tables: &Tables,
-    pixels: Range<u32>,
-    samples: Range<u32>,
+    run: &Run,
+    end: u32,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Option<Paths>, T::Error> {
-    let mut paths = stages.begin(pixels.clone(), samples.clone())?;
+    let (pixels, samples) = (run.pixels.clone(), run.samples.end..end);
+    let mut paths = stages.begin(run, end)?;
     let mut done = 0;
     let mut rounds = 0_u32;
-    while done < pixels.len() as u32 {
+    while done < run.going() {
         let slice = Slice {
             first: pixels.start,
             count: pixels.len() as u32,

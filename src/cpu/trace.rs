@@ -17,11 +17,12 @@ pub mod unrolled;
 pub mod walk;
 
 use std::convert::Infallible;
-use std::ops::Range;
 
 use rayon::prelude::*;
 
+use crate::cpu::lanes::few::Strip;
 use crate::cpu::lanes::{self, LANES, Walker, Wides};
+use crate::film::Run;
 use crate::tables::{GROUP, IDLE, Slice, Status, Tables};
 use crate::trace::{Paths, Trace};
 
@@ -76,8 +77,8 @@ impl Trace for CpuTrace<'_> {
         1
     }
 
-    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
-        Ok(Paths::new(pixels, self.tables).from_sample(samples.start))
+    fn begin(&mut self, run: &Run, end: u32) -> Result<Paths, Infallible> {
+        Ok(Paths::of(run, end, self.tables))
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
@@ -122,11 +123,12 @@ impl Trace for CpuTrace<'_> {
 
     fn gather(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
         let group = GROUP as usize;
-        let film = paths.sums.par_chunks_mut(group).zip(paths.ids.par_chunks_mut(group));
-        let told = paths.paths.par_chunks_mut(group).zip(film).map(|(paths, (sums, ids))| {
+        let film = paths.sums.par_chunks_mut(group).zip(paths.squares.par_chunks_mut(group));
+        let film = film.zip(paths.ids.par_chunks_mut(group));
+        let told = paths.paths.par_chunks_mut(group).zip(film).map(|(paths, ((sums, squares), ids))| {
             let mut status = ONE_GROUP;
-            for ((path, sum), id) in paths.iter_mut().zip(sums).zip(ids) {
-                status.pixels += gather::gather(slice, path, sum, id);
+            for (((path, sum), square), id) in paths.iter_mut().zip(sums).zip(squares).zip(ids) {
+                status.pixels += gather::gather(slice, path, sum, square, id);
             }
             status
         });
@@ -138,26 +140,31 @@ impl Trace for CpuTrace<'_> {
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let group = GROUP as usize;
-        let from = paths.paths.first().map_or(0, |path| path.sample);
-        let whole =
-            slice.budget == u32::MAX && paths.paths.iter().all(|path| path.sample == from && path.state == IDLE);
         let stacks = paths.waiting.par_chunks_mut(group * depth);
-        let film = paths.sums.par_chunks_mut(group).zip(paths.ids.par_chunks_mut(group));
+        let film = paths.sums.par_chunks_mut(group).zip(paths.squares.par_chunks_mut(group));
+        let film = film.zip(paths.ids.par_chunks_mut(group));
         let work = paths.paths.par_chunks_mut(group).zip(stacks).zip(film).enumerate();
-        let told = work.map(|(g, ((paths, stacks), (sums, ids)))| {
+        let told = work.map(|(g, ((paths, stacks), ((sums, squares), ids)))| {
             let mut status = ONE_GROUP;
             let first = g as u32 * GROUP;
-            if whole {
-                let film = sums.chunks_mut(LANES).zip(ids.chunks_mut(LANES));
-                for ((stacks, (sums, ids)), i) in stacks.chunks_mut(depth * LANES).zip(film).zip(0..) {
-                    let first = slice.first + first + i * LANES as u32;
-                    status = both(status, lanes::few::few(tables, from..slice.samples, first, stacks, sums, ids));
+            let film = sums.chunks_mut(LANES).zip(squares.chunks_mut(LANES)).zip(ids.chunks_mut(LANES));
+            let eights = paths.chunks_mut(LANES).zip(stacks.chunks_mut(depth * LANES)).zip(film);
+            for (((paths, stacks), ((sums, squares), ids)), i) in eights.zip(0..) {
+                let first = first + i * LANES as u32;
+                let from = paths[0].sample;
+                let together = paths.iter().all(|path| path.sample == from && path.state == IDLE);
+                if together && slice.budget == u32::MAX {
+                    let (first, samples) = (slice.first + first, from..slice.samples.max(from));
+                    let film = Strip { sums, squares, ids };
+                    if !samples.is_empty() {
+                        status = both(status, lanes::few::few(tables, samples, first, stacks, film));
+                    }
+                    for path in paths {
+                        path.sample = slice.samples;
+                    }
+                    continue;
                 }
-                for path in paths {
-                    path.sample = slice.samples;
-                }
-            } else {
-                let film = sums.iter_mut().zip(ids);
+                let film = sums.iter_mut().zip(squares).zip(ids).map(|((sum, square), id)| (sum, square, id));
                 let stacks = stacks.chunks_mut(depth);
                 for (((path, stack), film), i) in paths.iter_mut().zip(stacks).zip(film).zip(first..) {
                     few::few(tables, slice, i, path, stack, film, &mut status, &mut ());

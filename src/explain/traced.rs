@@ -1,7 +1,6 @@
 //! a pixel of traced tables -> its samples, each with the whole ray tree
 
 use std::convert::Infallible;
-use std::ops::Range;
 use std::sync::Arc;
 
 use bytemuck::Zeroable as _;
@@ -12,7 +11,7 @@ use super::things::Thing;
 use super::tree::Heard;
 use crate::cpu::trace::primary::place;
 use crate::cpu::trace::{cast::cast, few::few, follow::follow, gather::gather, walk::walk};
-use crate::film::Film;
+use crate::film::{Film, Run};
 use crate::scene::Scene;
 use crate::tables::{DONE, Slice, Status, Tables};
 use crate::trace::{Part, Paths, Trace, part};
@@ -76,8 +75,12 @@ pub struct Meeting {
     pub point: Vec3,
     /// The normal that the ray meets, of length one, on its side.
     pub normal: Vec3,
+    /// The normal that light falls onto, of length one: between corners, and as a normal map says.
+    pub shading: Vec3,
     /// The surface's own color.
     pub color: Vec3,
+    /// Weight of the specular term.
+    pub specular: Vec3,
     /// Weight of the local light.
     pub local: f32,
     /// The specular exponent k.
@@ -172,8 +175,8 @@ impl Trace for Listening<'_> {
         1
     }
 
-    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
-        Ok(Paths::new(pixels, self.tables).from_sample(samples.start))
+    fn begin(&mut self, run: &Run, end: u32) -> Result<Paths, Infallible> {
+        Ok(Paths::of(run, end, self.tables))
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
@@ -193,17 +196,19 @@ impl Trace for Listening<'_> {
     }
 
     fn gather(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
-        self.status.pixels += gather(slice, &mut paths.paths[0], &mut paths.sums[0], &mut paths.ids[0]);
+        let Paths { paths, sums, squares, ids, .. } = paths;
+        self.status.pixels += gather(slice, &mut paths[0], &mut sums[0], &mut squares[0], &mut ids[0]);
         Ok(())
     }
 
     fn few(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
-        let Paths { paths, waiting, sums, ids, .. } = paths;
+        let Paths { paths, waiting, sums, squares, ids, .. } = paths;
         let path = &mut paths[0];
         while path.sample < slice.samples {
             let one = Slice { samples: path.sample + 1, ..*slice };
             let mut heard = Heard::new(self.scene, self.tables);
-            few(self.tables, &one, 0, path, waiting, (&mut sums[0], &mut ids[0]), &mut self.status, &mut heard);
+            let film = (&mut sums[0], &mut squares[0], &mut ids[0]);
+            few(self.tables, &one, 0, path, waiting, film, &mut self.status, &mut heard);
             self.samples.push(heard.sample(path.radiance));
         }
         // It was done as often as there are samples.

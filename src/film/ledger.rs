@@ -36,10 +36,10 @@ pub struct Subject {
 
 /// The longest first line.
 const MOST_HEAD: u64 = 4096;
-const MAGIC: &str = "twinlight runs 1 ";
+const MAGIC: &str = "twinlight runs 2 ";
 /// First pixel, pixels, first sample, sample after the last.
 const COUNTS: usize = 16;
-const PIXEL: usize = 20;
+const PIXEL: usize = 24;
 const SUM: usize = 16;
 
 /// The first line.
@@ -53,6 +53,7 @@ fn record(head: &[u8], run: &Run) -> Vec<u8> {
     let mut bytes = Vec::with_capacity(COUNTS + run.sums.len() * PIXEL + SUM);
     bytes.extend(counts.iter().flat_map(|count| count.to_le_bytes()));
     bytes.extend(run.sums.iter().flatten().flat_map(|part| part.to_bits().to_le_bytes()));
+    bytes.extend(run.squares.iter().flat_map(|square| square.to_bits().to_le_bytes()));
     bytes.extend(run.ids.iter().flat_map(|id| id.to_le_bytes()));
     let sum = checksum(head, &bytes);
     bytes.extend(sum);
@@ -127,11 +128,13 @@ impl<R: Read> Reader<R> {
             return None;
         }
         let words: Vec<u32> = body[COUNTS..].chunks_exact(4).map(word).collect();
-        let (sums, ids) = words.split_at(count as usize * 4);
+        let (sums, rest) = words.split_at(count as usize * 4);
+        let (squares, ids) = rest.split_at(count as usize);
         let part = |four: &[u32]| [0, 1, 2, 3].map(|i| f32::from_bits(four[i]));
         let sums = sums.chunks_exact(4).map(part).collect();
+        let squares = squares.iter().map(|&square| f32::from_bits(square)).collect();
         self.read += bytes.len() as u64;
-        Some(Run { pixels: first..end, samples: from..to, sums, ids: ids.to_vec() })
+        Some(Run { pixels: first..end, samples: from..to, sums, squares, ids: ids.to_vec(), ended: Vec::new() })
     }
 
     /// Whether all of the file was read.

@@ -71,7 +71,7 @@ pub fn merge<R: Read>(parts: Vec<(String, R)>) -> Result<(Subject, Film), Misfit
         }
         let block = laid_out(&subject, block).ok_or(Misfit::Pixels(from, to))?;
         let sum = sum.get_or_insert_with(|| Run::new(0..block.pixels(), 0));
-        sum.add(to, block.sums(), block.ids());
+        sum.add(to, block.sums(), block.squares(), block.ids());
         end = to;
     }
     if end != subject.samples {
@@ -80,6 +80,7 @@ pub fn merge<R: Read>(parts: Vec<(String, R)>) -> Result<(Subject, Film), Misfit
     let mut film = Film::new(subject.columns.len() as u32, subject.rows.len() as u32);
     if let Some(sum) = sum {
         film.put(0, &sum.sums, &sum.ids);
+        film.put_squares(0, &sum.squares);
     }
     Ok((subject, film))
 }
@@ -103,6 +104,7 @@ fn laid_out(subject: &Subject, block: Block) -> Option<Film> {
             return None;
         }
         film.put(first, &run.sums, &run.ids);
+        film.put_squares(first, &run.squares);
     }
     Some(film)
 }

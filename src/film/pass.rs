@@ -20,6 +20,8 @@ pub enum Pass {
     Id,
     /// How many samples a pixel has.
     Samples,
+    /// The variance of a pixel's samples, by their luminance; the ray tracer's alone.
+    Variance,
 }
 
 impl Pass {
@@ -33,6 +35,7 @@ impl Pass {
             Self::Shadow => "shadow",
             Self::Id => "id",
             Self::Samples => "samples",
+            Self::Variance => "variance",
         }
     }
 
@@ -43,7 +46,7 @@ impl Pass {
             Self::Depth => &["Z"],
             Self::Normal => &["X", "Y", "Z"],
             Self::Albedo => &["R", "G", "B"],
-            Self::Shadow | Self::Id | Self::Samples => &["Y"],
+            Self::Shadow | Self::Id | Self::Samples | Self::Variance => &["Y"],
         }
     }
 }
@@ -69,12 +72,13 @@ pub enum Values {
 }
 
 impl Layer {
-    /// A pass that the film itself holds: ids and samples.
+    /// A pass that the film itself holds: ids, samples and what is known of their variance.
     #[must_use]
     pub fn of(film: &Film, pass: Pass) -> Option<Self> {
         let values = match pass {
             Pass::Id => Values::Number(film.ids().to_vec()),
             Pass::Samples => Values::One(film.sums().iter().map(|sum| sum[3]).collect()),
+            Pass::Variance => Values::One((0..film.pixels()).map(|p| film.variance(p)).collect::<Option<_>>()?),
             _ => return None,
         };
         Some(Self { pass, values })
@@ -98,6 +102,8 @@ impl Layer {
                 Values::One(values) => plain(Vec3::splat(match self.pass {
                     Pass::Depth => nearest / values[i],
                     Pass::Samples => values[i] / most,
+                    // As a deviation, which the eye can read.
+                    Pass::Variance => (values[i] / most.max(f32::MIN_POSITIVE)).sqrt(),
                     _ => values[i],
                 })),
                 Values::Three(values) if self.pass == Pass::Normal => {

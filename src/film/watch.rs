@@ -11,8 +11,12 @@ pub struct Run {
     pub samples: Range<u32>,
     /// Red, green, blue and the number of samples in the sum.
     pub sums: Vec<[f32; 4]>,
+    /// Of the samples' luminances, summed.
+    pub squares: Vec<f32>,
     /// What the first ray of sample 0 met.
     pub ids: Vec<u32>,
+    /// Pixels that get no more samples; empty if all do.
+    pub ended: Vec<bool>,
 }
 
 impl Run {
@@ -21,20 +25,49 @@ impl Run {
     pub fn new(pixels: Range<u32>, first: u32) -> Self {
         let count = pixels.len();
         let (sums, ids) = (vec![[0.0; 4]; count], vec![crate::tables::NONE; count]);
-        Self { pixels, samples: first..first, sums, ids }
+        Self { pixels, samples: first..first, sums, squares: vec![0.0; count], ids, ended: Vec::new() }
     }
 
     /// Adds the sums of the samples up to `end`.
-    pub fn add(&mut self, end: u32, sums: &[[f32; 4]], ids: &[u32]) {
+    pub fn add(&mut self, end: u32, sums: &[[f32; 4]], squares: &[f32], ids: &[u32]) {
         for (sum, more) in self.sums.iter_mut().zip(sums) {
             for (sum, more) in sum.iter_mut().zip(more) {
                 *sum += more;
             }
         }
+        for (square, more) in self.squares.iter_mut().zip(squares) {
+            *square += more;
+        }
         if self.samples.start == 0 && self.samples.is_empty() {
             self.ids.copy_from_slice(ids);
         }
         self.samples.end = end;
+    }
+
+    /// Whether a pixel, counted from its first, gets no more samples.
+    #[must_use]
+    pub fn has_ended(&self, pixel: usize) -> bool {
+        self.ended.get(pixel).is_some_and(|ended| *ended)
+    }
+
+    /// How many of its pixels get more samples.
+    #[must_use]
+    pub fn going(&self) -> u32 {
+        (0..self.sums.len()).filter(|&pixel| !self.has_ended(pixel)).count() as u32
+    }
+
+    /// Some of its pixels, counted from its first.
+    #[must_use]
+    pub fn cut(&self, range: Range<u32>) -> Self {
+        let within = range.start as usize..range.end as usize;
+        Self {
+            pixels: self.pixels.start + range.start..self.pixels.start + range.end,
+            samples: self.samples.clone(),
+            sums: self.sums[within.clone()].to_vec(),
+            squares: self.squares[within.clone()].to_vec(),
+            ids: self.ids[within.clone()].to_vec(),
+            ended: self.ended.get(within).unwrap_or_default().to_vec(),
+        }
     }
 }
 

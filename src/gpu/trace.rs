@@ -1,6 +1,9 @@
 //! The ray tracer's stages as kernels.
 
-use std::ops::Range;
+mod paths;
+
+pub use paths::GpuPaths;
+
 use std::time::Instant;
 
 use bytemuck::Zeroable as _;
@@ -9,6 +12,7 @@ use super::looks::looks;
 use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
+use crate::film::Run;
 use crate::tables::{
     CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables, View,
     Waiting,
@@ -29,7 +33,9 @@ pub struct GpuTrace<'a> {
     few: Option<Kernel>,
     max_depth: u32,
     deep: u32,
+    /// Of the block in hand, those that were made before included; and those that are not made yet.
     samples: u32,
+    left: u32,
     view: Buffer<View>,
     settings: Buffer<Settings>,
     nodes: Texels,
@@ -48,17 +54,6 @@ pub struct GpuTrace<'a> {
     last: Status,
     pace: Pace,
     idle: u32,
-}
-
-/// The ray trees of a run of pixels, on the device.
-#[derive(Debug)]
-pub struct GpuPaths {
-    pixels: Range<u32>,
-    paths: Buffer<Path>,
-    waiting: Buffer<Waiting>,
-    walks: Buffer<[u32; 2]>,
-    sums: Buffer<[f32; 4]>,
-    ids: Buffer<u32>,
 }
 
 impl<'a> GpuTrace<'a> {
@@ -96,6 +91,7 @@ impl<'a> GpuTrace<'a> {
             max_depth: tables.settings.max_depth,
             deep: tables.deep,
             samples: tables.samples,
+            left: tables.samples,
             view: gpu.uniform("view", &tables.view)?,
             settings: gpu.uniform("settings", &tables.settings)?,
             nodes: gpu.texels("nodes", &tables.nodes)?,
@@ -113,36 +109,6 @@ impl<'a> GpuTrace<'a> {
             last: Status::zeroed(),
             pace: Pace::new(gpu.slice_time(), pixels),
             idle: 0,
-        })
-    }
-
-    /// Paths from host memory.
-    ///
-    /// # Errors
-    /// If they do not fit the device.
-    pub fn upload(&self, paths: &Paths) -> Result<GpuPaths, Error> {
-        Ok(GpuPaths {
-            pixels: paths.pixels.clone(),
-            paths: self.gpu.upload("paths", &paths.paths)?,
-            waiting: self.gpu.upload("waiting", &paths.waiting)?,
-            walks: self.gpu.upload("walks", &paths.walks)?,
-            sums: self.gpu.upload("sums", &paths.sums)?,
-            ids: self.gpu.upload("ids", &paths.ids)?,
-        })
-    }
-
-    /// All of a run of pixels in host memory, as it is.
-    ///
-    /// # Errors
-    /// If the device is lost or does not answer.
-    pub fn download(&self, paths: &GpuPaths) -> Result<Paths, Error> {
-        Ok(Paths {
-            pixels: paths.pixels.clone(),
-            paths: self.gpu.read(&paths.paths)?,
-            waiting: self.gpu.read(&paths.waiting)?,
-            walks: self.gpu.read(&paths.walks)?,
-            sums: self.gpu.read(&paths.sums)?,
-            ids: self.gpu.read(&paths.ids)?,
         })
     }
 
@@ -184,27 +150,15 @@ impl Trace for GpuTrace<'_> {
     }
 
     fn rounds(&self) -> u32 {
-        self.pace.rounds.min(self.samples)
+        self.pace.rounds.min(self.left)
     }
 
-    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<GpuPaths, Error> {
-        let count = pixels.len();
-        self.samples = samples.len() as u32;
+    fn begin(&mut self, run: &Run, end: u32) -> Result<GpuPaths, Error> {
+        self.samples = end - run.samples.start;
+        self.left = end - run.samples.end;
         self.recorded = None;
         self.idle = 0;
-        let paths = if samples.start == 0 {
-            self.gpu.zeroed("paths", count)?
-        } else {
-            self.gpu.upload("paths", &vec![Path { sample: samples.start, ..Path::zeroed() }; count])?
-        };
-        Ok(GpuPaths {
-            pixels,
-            paths,
-            waiting: self.gpu.zeroed("waiting", count * self.max_depth as usize)?,
-            walks: self.gpu.zeroed("walks", count * self.deep as usize)?,
-            sums: self.gpu.zeroed("sums", count)?,
-            ids: self.gpu.zeroed("ids", count)?,
-        })
+        self.fresh(run, end)
     }
 
     fn cast(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
@@ -249,6 +203,7 @@ impl Trace for GpuTrace<'_> {
                 Binding::new("slice", &this.slice),
                 Binding::new("paths", &paths.paths),
                 Binding::new("sums", &paths.sums),
+                Binding::new("squares", &paths.squares),
                 Binding::new("ids", &paths.ids),
                 Binding::new("status", &this.status),
             ];
@@ -267,6 +222,7 @@ impl Trace for GpuTrace<'_> {
                 Binding::new("paths", &paths.paths),
                 Binding::new("waiting", &paths.waiting),
                 Binding::new("sums", &paths.sums),
+                Binding::new("squares", &paths.squares),
                 Binding::new("ids", &paths.ids),
                 Binding::new("status", &this.status),
             ];
@@ -301,14 +257,17 @@ impl Trace for GpuTrace<'_> {
 
     fn end(&mut self, paths: GpuPaths) -> Result<Paths, Error> {
         let sums = self.gpu.read(&paths.sums)?;
+        let squares = self.gpu.read(&paths.squares)?;
         let ids = self.gpu.read(&paths.ids)?;
         // A killed dispatch may be reported as done (Metal and DX12 do so): the film itself is the proof.
         let wanted = self.samples as f32;
-        if let Some(short) = sums.iter().position(|sum| sum[3] != wanted) {
+        let ended = |i: usize| paths.ended.get(i).is_some_and(|ended| *ended);
+        if let Some(short) = (0..sums.len()).find(|&i| sums[i][3] != wanted && !ended(i)) {
             let why = format!("a pixel has {} of {wanted} samples", sums[short][3]);
             return Err(Error::Incomplete(why));
         }
-        Ok(Paths { pixels: paths.pixels, paths: Vec::new(), waiting: Vec::new(), walks: Vec::new(), sums, ids })
+        let (paths, pixels) = (Vec::new(), paths.pixels);
+        Ok(Paths { pixels, paths, waiting: Vec::new(), walks: Vec::new(), sums, squares, ids })
     }
 
     fn ease(&mut self, error: Error) -> Result<(), Error> {

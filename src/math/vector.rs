@@ -14,6 +14,12 @@ pub fn mirror(i: Vec3, n: Vec3) -> Vec3 {
     unit(n * (2.0 * i.dot(n)) - i)
 }
 
+/// Of a linear color: Rec. 709.
+#[must_use]
+pub fn luminance(color: Vec3) -> f32 {
+    color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
+}
+
 /// The largest of the three parts.
 #[must_use]
 pub fn largest(v: Vec3) -> f32 {

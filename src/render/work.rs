@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-use super::Error;
+use super::{Error, Good};
 use crate::cpu::first::first;
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
@@ -19,7 +19,7 @@ use crate::scene::{Method, Reach, Scene};
 use crate::tables::{
     CUT_OUT, Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables,
 };
-use crate::trace::{self, BLOCK, Part};
+use crate::trace::{BLOCK, Part};
 
 /// One picture, made ready: all that a backend reads.
 #[derive(Debug)]
@@ -28,6 +28,8 @@ pub struct Work {
     transfer: Transfer,
     columns: Range<u32>,
     rows: Range<u32>,
+    /// When a traced picture is good enough.
+    good: Good,
     /// What of the scene is not in the picture, a sentence each.
     pub(super) notes: Vec<String>,
 }
@@ -110,7 +112,8 @@ impl Work {
                 Kind::Drawn(Box::new(drawing))
             }
         };
-        Ok(Self { kind, transfer: scene.film.transfer, columns: 0..width, rows: 0..height, notes })
+        let transfer = scene.film.transfer;
+        Ok(Self { kind, transfer, columns: 0..width, rows: 0..height, good: Good::default(), notes })
     }
 
     /// The same for a rectangle of the picture alone.
@@ -123,6 +126,22 @@ impl Work {
             return Err(Error::Outside([width, height]));
         }
         (self.columns, self.rows) = (columns, rows);
+        Ok(self)
+    }
+
+    /// The same until it is good enough, or has all its samples.
+    ///
+    /// # Errors
+    /// [`Error::Untold`] if the method has no samples of its own.
+    pub fn until(mut self, good: Good) -> Result<Self, Error> {
+        if good == Good::default() {
+            return Ok(self);
+        }
+        let what = if good.time.is_some() { "--time" } else { "--noise" };
+        let Kind::Traced(tables, _) = &mut self.kind else { return Err(Error::Untold(what)) };
+        // The first samples of a grid lie on one side of their pixel; those of a sequence lie all over it.
+        tables.view.grid = 0;
+        self.good = good;
         Ok(self)
     }
 
@@ -148,6 +167,7 @@ impl Work {
         for range in [&self.columns, &self.rows] {
             add(bytemuck::bytes_of(&[range.start, range.end]));
         }
+        add(format!("{:?}", self.good).as_bytes());
         match &self.kind {
             Kind::Traced(tables, samples) => {
                 add(bytemuck::bytes_of(&[samples.start, samples.end]));
@@ -173,10 +193,13 @@ impl Work {
         Ok(self)
     }
 
-    /// What runs of the picture belong to; nothing for a method that has none.
+    /// What runs of the picture belong to; nothing where none are kept.
     #[must_use]
     pub fn subject(&self, stamp: &str) -> Option<Subject> {
         let Kind::Traced(tables, samples) = &self.kind else { return None };
+        if self.good != Good::default() {
+            return None;
+        }
         Some(Subject {
             stamp: stamp.to_owned(),
             width: tables.view.width,
@@ -217,6 +240,9 @@ impl Work {
             }
             Kind::Drawn(drawing) => {
                 for pass in wanted {
+                    if pass == Pass::Variance {
+                        return Err(Error::Untold("the variance"));
+                    }
                     let film = show(&self.showing(drawing, pass))?;
                     let seen = film.ids().iter().map(|id| *id != NONE);
                     let shown = film.sums().iter().map(|sum| Vec3::new(sum[0], sum[1], sum[2]) / sum[3]).zip(seen);
@@ -259,13 +285,13 @@ impl Work {
         }
         let kind = Kind::Drawn(Box::new(drawing));
         let (columns, rows) = (self.columns.clone(), self.rows.clone());
-        Self { kind, transfer: self.transfer, columns, rows, notes: Vec::new() }
+        Self { kind, transfer: self.transfer, columns, rows, good: Good::default(), notes: Vec::new() }
     }
 
     pub(super) fn on_gpu(&self, gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch) -> Result<Film, gpu::Error> {
         match &self.kind {
             Kind::Traced(tables, samples) => {
-                trace::part(&mut GpuTrace::new(gpu, sources, tables)?, tables, &self.part(samples), watch)
+                self.good.trace(&mut GpuTrace::new(gpu, sources, tables)?, tables, &self.part(samples), watch)
             }
             Kind::Drawn(drawing) => {
                 let mut stages = GpuRaster::new(gpu, sources, drawing)?;
@@ -277,7 +303,7 @@ impl Work {
     pub(super) fn on_cpu(&self, watch: &mut dyn Watch) -> Film {
         match &self.kind {
             Kind::Traced(tables, samples) => {
-                let Ok(film) = trace::part(&mut CpuTrace::new(tables), tables, &self.part(samples), watch);
+                let Ok(film) = self.good.trace(&mut CpuTrace::new(tables), tables, &self.part(samples), watch);
                 film
             }
             Kind::Drawn(drawing) => {

@@ -121,7 +121,7 @@ fn subject() -> Subject {
 fn runs() -> Vec<Run> {
     let run = |first: u32, to: u32| {
         let mut run = Run::new(first..first + 3, 0);
-        run.add(to, &[[0.1, f32::NAN, -0.0, to as f32]; 3], &[first, 8, 9]);
+        run.add(to, &[[0.1, f32::NAN, -0.0, to as f32]; 3], &[0.2, f32::INFINITY, to as f32], &[first, 8, 9]);
         run
     };
     vec![run(11, 3), run(16, 7), run(11, 7), run(21, 7)]

@@ -88,6 +88,7 @@ fn samples_add_up_in_order() {
         }
         let mut film = Film::new(nine.width(), nine.height());
         film.put(0, &paths.sums, &paths.ids);
+        film.put_squares(0, &paths.squares);
         same(if samples == 5 { &five } else { &nine }, &film, "a run that was stopped");
     }
 }

@@ -1,5 +1,6 @@
 //! lavapipe cuts loops after 65,535 turns without a word: the slices keep below, and a cut is noticed.
 
+use twinlight::film::Run;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Error, GpuTrace};
@@ -40,7 +41,7 @@ fn a_slice_that_is_too_long_is_noticed() {
     let gpu = gpu();
     let mut stages = GpuTrace::new(&gpu, &Sources::default(), &tables).expect("kernels");
     let slice = Slice { first: 0, count: expected.pixels(), samples: 1, budget: u32::MAX };
-    let mut paths = stages.begin(0..expected.pixels(), 0..tables.samples).expect("room");
+    let mut paths = stages.begin(&Run::new(0..expected.pixels(), 0), tables.samples).expect("room");
     stages.cast(&mut paths, &slice).expect("a dispatch");
     stages.follow(&mut paths, &slice).expect("a dispatch");
     stages.gather(&mut paths, &slice).expect("a dispatch");

@@ -38,18 +38,18 @@ mod raster_windows;
 mod schema;
 mod stages;
 mod tidy;
+mod time;
 mod trace_maps;
 mod watertight;
 mod wrong;
 
 use std::convert::Infallible;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::trace::CpuTrace;
-use twinlight::film::Film;
+use twinlight::film::{Film, Run};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
 use twinlight::math::random::{pcg4d, unit_float};
@@ -240,8 +240,8 @@ impl Trace for Sliced<'_> {
         self.rounds
     }
 
-    fn begin(&mut self, pixels: Range<u32>, samples: Range<u32>) -> Result<Paths, Infallible> {
-        self.stages.begin(pixels, samples)
+    fn begin(&mut self, run: &Run, end: u32) -> Result<Paths, Infallible> {
+        self.stages.begin(run, end)
     }
 
     fn cast(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {

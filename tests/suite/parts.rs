@@ -30,10 +30,11 @@ fn blocks() -> Vec<Part> {
 fn added(films: &[Film]) -> Film {
     let mut run = Run::new(0..films[0].pixels(), 0);
     for film in films {
-        run.add(run.samples.end + film.samples(0) as u32, film.sums(), film.ids());
+        run.add(run.samples.end + film.samples(0) as u32, film.sums(), film.squares(), film.ids());
     }
     let mut film = Film::new(films[0].width(), films[0].height());
     film.put(0, &run.sums, &run.ids);
+    film.put_squares(0, &run.squares);
     film
 }
 

@@ -57,6 +57,8 @@ fn walk_along(tables: &Tables, budget: u32, rounds: u32, what: &str) {
             }
             let [a, b] = [&expected, &got].map(|p| bytemuck::cast_slice::<_, u32>(&p.sums).to_vec());
             assert_eq!(a, b, "{what}, round {round}, {stage:?}, sums");
+            let [a, b] = [&expected, &got].map(|p| bytemuck::cast_slice::<_, u32>(&p.squares).to_vec());
+            assert_eq!(a, b, "{what}, round {round}, {stage:?}, squares");
             assert_eq!(expected.ids, got.ids, "{what}, round {round}, {stage:?}, ids");
             let [a, b] = [&expected, &got].map(|p| bytemuck::cast_slice::<_, u32>(&p.waiting).to_vec());
             assert_eq!(a, b, "{what}, round {round}, {stage:?}, stacks");

@@ -9,6 +9,11 @@ fn mirror(i: vec3f, n: vec3f) -> vec3f {
     return unit(n * (2.0 * dot(i, n)) - i);
 }
 
+// Of a linear color: Rec. 709.
+fn luminance(color: vec3f) -> f32 {
+    return dot(color, vec3f(0.2126, 0.7152, 0.0722));
+}
+
 fn largest(v: vec3f) -> f32 {
     return max(v.x, max(v.y, v.z));
 }

@@ -4,6 +4,7 @@
 
 @group(0) @binding(11) var<storage, read_write> sums: array<vec4f>;
 @group(0) @binding(12) var<storage, read_write> ids: array<u32>;
+@group(0) @binding(13) var<storage, read_write> squares: array<f32>;
 
 // A ray's end, from where the next waiting ray is taken up; and a ray's fork, of which one branch has to wait.
 // The stack is kept out of the innermost loop: lavapipe would pay for it at every turn.
@@ -72,6 +73,8 @@ fn follow(path: ptr<function, Path>, i: u32) {
         }
         if ((*path).state == DONE) {
             sums[i] += vec4f((*path).radiance, 1.0);
+            let light = luminance((*path).radiance);
+            squares[i] += light * light;
             if ((*path).sample == 0u) {
                 ids[i] = (*path).seen;
             }

@@ -2,12 +2,15 @@
 #import "tables/slice.wgsl"
 #import "tables/status.wgsl"
 #import "tables/path.wgsl"
+#import "math/vector.wgsl"
 
 @group(0) @binding(0) var<uniform> slice: Slice;
 @group(0) @binding(1) var<storage, read_write> paths: array<Path>;
 // Red, green, blue and the number of samples in the sum.
 @group(0) @binding(2) var<storage, read_write> sums: array<vec4f>;
 @group(0) @binding(3) var<storage, read_write> ids: array<u32>;
+// Of the samples' luminances: with the sums, how far the samples lie apart.
+@group(0) @binding(5) var<storage, read_write> squares: array<f32>;
 @group(0) @binding(4) var<storage, read_write> status: Status;
 
 @compute @workgroup_size(64)
@@ -21,6 +24,8 @@ fn main(
         let path = &paths[i];
         if ((*path).state == DONE) {
             sums[i] += vec4f((*path).radiance, 1.0);
+            let light = luminance((*path).radiance);
+            squares[i] += light * light;
             if ((*path).sample == 0u) {
                 ids[i] = (*path).seen;
             }

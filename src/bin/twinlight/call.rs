@@ -8,8 +8,8 @@ use std::time::Duration;
 use twinlight::film::ledger::{Ledger, Reader};
 use twinlight::film::pass::Pass;
 use twinlight::film::{self, Format, stamp_of};
-use twinlight::render::{Rendered, Renderer, Work};
-use twinlight::scene::{Method, Scene, Source};
+use twinlight::render::{Good, Rendered, Renderer, Work};
+use twinlight::scene::{MOST_SAMPLES, Method, Scene, Source};
 use twinlight::trace::BLOCK;
 
 use crate::claim::Claim;
@@ -37,8 +37,13 @@ struct Ready {
 
 impl Call<'_> {
     fn ready(&self, picture: &Picture, frame: i64) -> Result<Ready, Failure> {
-        let (scene, method) = self.arguments.job.scene(&self.sources[picture.scene], frame)?;
+        let (mut scene, method) = self.arguments.job.scene(&self.sources[picture.scene], frame)?;
+        let good = Good { time: self.arguments.time, noise: self.arguments.noise };
+        if good != Good::default() && self.arguments.job.samples.is_none() {
+            scene.trace.samples = MOST_SAMPLES;
+        }
         let work = Work::within(&scene, method, &self.arguments.job.input.reach())?;
+        let work = work.until(good)?;
         let work = match &self.arguments.crop {
             Some([columns, rows]) => work.crop(columns.clone(), rows.clone())?,
             None => work,
@@ -281,17 +286,21 @@ impl Call<'_> {
             progress.say(&format!("warning: {broken} pixels are not finite numbers and are drawn black"));
         }
         let mut report = self.report(picture, ready, stamp);
-        let seconds = rendered.took.as_secs_f64();
+        let (seconds, samples) = (rendered.took.as_secs_f64(), rendered.film.mean_samples());
         let more = [
             ("backend", rendered.by.clone().into()),
             ("seconds", seconds.into()),
+            ("samples", samples.into()),
             ("notes", rendered.notes.clone().into()),
             ("broken", broken.into()),
             ("made", true.into()),
         ];
         report.extend(more.map(|(name, value)| (name.to_owned(), value)));
         let (name, [width, height]) = (picture.name(), ready.work.size());
-        Told { report, sentence: format!("{name}: {width}x{height} in {seconds:.2} s on {}", rendered.by) }
+        let made = format!("{name}: {width}x{height} in {seconds:.2} s on {}", rendered.by);
+        let told = self.arguments.time.is_some() || self.arguments.noise.is_some();
+        let sentence = if told { format!("{made}, {samples} samples a pixel") } else { made };
+        Told { report, sentence }
     }
 
     /// What is told of every picture, made or not.

@@ -50,7 +50,7 @@ impl Failure {
             | Self::Sizes(_)
             | Self::Explain(_)
             | Self::Film(film::Error::Ending(_))
-            | Self::Render(render::Error::Outside(_) | render::Error::Samples(_)) => 2,
+            | Self::Render(render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Untold(_)) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
             // Only who asked for the stop knows why; without a reason it is the deadline's.
@@ -65,7 +65,10 @@ impl Failure {
             self,
             Self::Scene(_)
                 | Self::Render(
-                    render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Memory { .. }
+                    render::Error::Outside(_)
+                        | render::Error::Samples(_)
+                        | render::Error::Untold(_)
+                        | render::Error::Memory { .. }
                 )
         )
     }

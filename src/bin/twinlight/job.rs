@@ -51,7 +51,7 @@ pub(crate) struct Job {
     size: Option<[u32; 2]>,
     /// Samples a pixel; a square number lies on an n x n grid: 16 is 4 x 4 [default: the scene's].
     #[arg(long, value_name = "N", value_parser = samples)]
-    samples: Option<u32>,
+    pub(crate) samples: Option<u32>,
     /// Rays in a row, the first one counted [default: the scene's].
     #[arg(long, value_name = "N", value_parser = depth)]
     depth: Option<u32>,

@@ -39,6 +39,14 @@ pub(crate) struct Arguments {
     /// Some of each pixel's samples alone, into a .part that `twinlight merge` puts together with the others: 0..64.
     #[arg(long, value_name = "A..B", value_parser = samples)]
     pub(crate) sample_range: Option<Range<u32>>,
+    /// As many samples as there is time for, one of every pixel at least: 90, 90s, 15m or 1.5h for each frame; --samples
+    /// is the most of them [default: all samples, however long].
+    #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "sample_range")]
+    pub(crate) time: Option<Duration>,
+    /// Until the error of a tile of 16 x 16 pixels, as its samples tell, is below this share of full white; 0.01 is
+    /// fine. 16 samples at least; --samples is the most.
+    #[arg(long, value_name = "ERROR", value_parser = noise, conflicts_with = "sample_range")]
+    pub(crate) noise: Option<f32>,
     /// Where the work is done.
     #[arg(long, default_value = "auto")]
     pub(crate) backend: Backend,
@@ -48,7 +56,7 @@ pub(crate) struct Arguments {
     /// Say what would be made, and make nothing.
     #[arg(long)]
     dry_run: bool,
-    /// Print an object of JSON for each picture: file, scene, frames, size, method, backend, seconds, inputs (what it is
+    /// Print an object of JSON for each picture: file, scene, frames, size, method, backend, seconds, samples, inputs (what it is
     /// known by), hash (BLAKE3 of the file), notes, made; in a dry run, whether it is there.
     #[arg(long)]
     pub(crate) json: bool,
@@ -67,6 +75,11 @@ fn samples(text: &str) -> Result<Range<u32>, String> {
         (from < to).then_some(from..to)
     };
     parse().ok_or_else(|| "a sample range is written as 0..64".to_owned())
+}
+
+fn noise(text: &str) -> Result<f32, String> {
+    let noise = text.parse().ok().filter(|noise: &f32| noise.is_finite() && *noise > 0.0);
+    noise.ok_or_else(|| "an error is a number above 0, as 0.01".to_owned())
 }
 
 fn rectangle(text: &str) -> Result<[Range<u32>; 2], String> {

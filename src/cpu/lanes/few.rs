@@ -10,6 +10,7 @@ use super::meet::{Rays, free, nearest};
 use super::shade::{Ways, phong, scatter, surfaces_at};
 use super::{LANES, Vec3s};
 use crate::cpu::trace::primary::place;
+use crate::math::vector::luminance;
 use crate::tables::{FAR, NONE, POINT, STACK_FULL, Status, Tables, View, Waiting};
 
 /// Eight ray trees in progress: [`Path`](crate::tables::Path), lane by lane.
@@ -25,16 +26,22 @@ struct Trees<'a, S: Simd> {
     stacks: &'a mut [Waiting],
 }
 
+/// At most eight pixels of the film.
+pub(in crate::cpu) struct Strip<'a> {
+    pub(in crate::cpu) sums: &'a mut [[f32; 4]],
+    pub(in crate::cpu) squares: &'a mut [f32],
+    pub(in crate::cpu) ids: &'a mut [u32],
+}
+
 /// Renders at most eight pixels from `first`, all of the samples; `stacks` has `max_depth` places for each.
 pub(in crate::cpu) fn few(
     tables: &Tables,
     samples: Range<u32>,
     first: u32,
     stacks: &mut [Waiting],
-    sums: &mut [[f32; 4]],
-    ids: &mut [u32],
+    film: Strip<'_>,
 ) -> Status {
-    dispatch!(Level::new(), simd => pixels(simd, tables, samples, first, stacks, sums, ids))
+    dispatch!(Level::new(), simd => pixels(simd, tables, samples, first, stacks, film))
 }
 
 #[inline(always)]
@@ -44,9 +51,9 @@ fn pixels<S: Simd>(
     samples: Range<u32>,
     first: u32,
     stacks: &mut [Waiting],
-    sums: &mut [[f32; 4]],
-    ids: &mut [u32],
+    film: Strip<'_>,
 ) -> Status {
+    let Strip { sums, squares, ids } = film;
     let view = &tables.view;
     let count = sums.len();
     let mut status = Status { groups: 0, pixels: count as u32, flags: 0, turns: 0 };
@@ -76,8 +83,10 @@ fn pixels<S: Simd>(
             turns += 1;
         }
         status.turns += turns;
-        for (i, sum) in sums.iter_mut().enumerate() {
+        for (i, (sum, square)) in sums.iter_mut().zip(&mut *squares).enumerate() {
             let light = trees.radiance.lane(i);
+            let luminance = luminance(light);
+            *square += luminance * luminance;
             for (sum, one) in sum.iter_mut().zip([light.x, light.y, light.z, 1.0]) {
                 *sum += one;
             }

@@ -16,11 +16,11 @@ pub fn few(
     i: u32,
     path: &mut Path,
     waiting: &mut [Waiting],
-    film: (&mut [f32; 4], &mut u32),
+    film: (&mut [f32; 4], &mut f32, &mut u32),
     status: &mut Status,
     witness: &mut impl Witness,
 ) {
-    let (sum, id) = film;
+    let (sum, square, id) = film;
     let mut turns = 0;
     while path.sample < slice.samples && turns < slice.budget {
         turns += 1;
@@ -29,7 +29,7 @@ pub fn few(
             turns += 1;
             step(tables, slice, i, path, waiting, status, witness);
         }
-        status.pixels += gather(slice, path, sum, id);
+        status.pixels += gather(slice, path, sum, square, id);
     }
     status.turns = status.turns.max(turns);
 }
