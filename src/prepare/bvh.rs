@@ -8,10 +8,12 @@
 //! the bit, in every one.
 
 mod grow;
+mod halves;
 mod pack;
 mod split;
 
 pub use grow::Binned;
+pub use halves::Halves;
 
 use glam::{Vec3, Vec4};
 

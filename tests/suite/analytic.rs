@@ -6,7 +6,7 @@ use twinlight::cpu::trace::scatter::scatter;
 use twinlight::cpu::trace::surface::Surface;
 use twinlight::math::vector::unit;
 use twinlight::scene::{Behavior, Camera, Light, Maps, Material, Plane, Scene, Sphere};
-use twinlight::tables;
+use twinlight::tables::{self, Tables};
 
 use super::{on_cpu, root, small, tables_of};
 
@@ -52,8 +52,8 @@ fn section_2_2_the_corners_of_the_film_are_the_corners_of_the_view() {
     close(primary(&turned, 29 * 40, 0), unit(Vec3::new(-half, half * 4.0 / 3.0, -1.0)), "lying on its side");
 }
 
-#[test]
-fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
+/// The outlines of a sphere in a mirror plane `away` from the eye, and of that sphere mirrored about one 10 away.
+fn mirrored(away: f32) -> [Vec<bool>; 2] {
     // A sphere seen in a mirror plane is the sphere mirrored, seen without one.
     let mut mirrored = empty();
     mirrored.film.size = [65, 43];
@@ -65,7 +65,7 @@ fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
         reflect: 0.0,
         ..empty().materials[0].clone()
     });
-    mirrored.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -10.0), normal: Vec3::Z, material: 0, tile: 1.0 }];
+    mirrored.planes = vec![Plane { point: Vec3::new(0.0, 0.0, -away), normal: Vec3::Z, material: 0, tile: 1.0 }];
     mirrored.spheres = vec![Sphere { center: Vec3::new(1.0, 0.5, 4.0), radius: 3.5, material: 1 }];
     mirrored.lights =
         vec![Light::Directional { toward: unit(Vec3::new(1.0, 1.0, 3.0)), power: Vec3::ONE, camera: None }];
@@ -80,8 +80,17 @@ fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
         let film = on_cpu(&tables_of(&scene));
         (0..film.pixels()).map(|p| film.color(p).z != 0.25).collect::<Vec<_>>()
     };
-    assert_eq!(outline(&mirrored), outline(&direct));
-    assert!(outline(&direct).iter().filter(|&&on| on).count() > 20);
+    [outline(&mirrored), outline(&direct)]
+}
+
+#[test]
+fn equation_2_6_a_mirror_shows_what_stands_behind_it() {
+    let [found, expected] = mirrored(10.0);
+    assert_eq!(found, expected);
+    assert!(expected.iter().filter(|&&on| on).count() > 20);
+    // The mutant: a mirror that stands a little farther off.
+    let [found, _] = mirrored(10.3);
+    assert_ne!(found, expected);
 }
 
 fn glass(index: f32) -> tables::Material {
@@ -119,6 +128,10 @@ fn equation_2_7_is_snells_law() {
                 let (_, branches) = bend(index, inside, degrees);
                 let expected = DVec3::new(sine, -(1.0 - sine * sine).sqrt(), 0.0);
                 close(branches.refracted.direction, expected.as_vec3(), "the refracted ray");
+                // The mutant: glass that is a little denser.
+                let (_, denser) = bend(index * 1.001, inside, degrees);
+                let off = (denser.refracted.direction - expected.as_vec3()).length();
+                assert!(degrees == 0.0 || off > 1e-5, "{off} at {degrees} degrees");
                 assert_eq!(branches.refracted.inside, 1 - inside);
                 assert_eq!((branches.refracted.weight.x, branches.reflected.weight.x), (0.5, 0.25));
             }
@@ -136,30 +149,53 @@ fn beyond_the_critical_angle_everything_is_reflected() {
         let (direction, beyond) = bend(index, 1, critical + 0.01);
         assert_eq!((beyond.refracted.weight.x, beyond.reflected.weight.x), (0.0, 0.75), "just beyond {critical}");
         assert_eq!(beyond.reflected.inside, 1, "the ray goes on inside");
+        // The mutant: the same angle in glass that is a little thinner.
+        let (_, thinner) = bend(index * 0.999, 1, critical + 0.01);
+        assert_eq!(thinner.refracted.weight.x, 0.5, "its critical angle lies beyond");
         close(beyond.reflected.direction, Vec3::new(direction.x, -direction.y, 0.0), "the mirror direction");
     }
 }
 
+type Mutant = fn(&mut Tables);
+
+/// The largest error of a furnace: a lamp and the eye in the middle of a mirror sphere.
+///
+/// Every ray from the middle comes back to it: each hit sees lamp and eye along its normal, so both terms are 1, and
+/// the sum over d rays is 2 local (1 + r + ... + r^(d-1)).
+fn furnace(depth: u32, reflect: f32, fault: impl Fn(&mut Tables)) -> f32 {
+    let mut scene = empty();
+    scene.trace.depth = depth;
+    scene.trace.cutoff = 0.0;
+    scene.materials[0].local = 0.1;
+    scene.materials[0].reflect = reflect;
+    scene.spheres = vec![Sphere { center: Vec3::ZERO, radius: 3.0, material: 0 }];
+    scene.lights = vec![Light::Point { position: Vec3::ZERO, power: Vec3::new(0.5, 1.0, 0.25) }];
+    let sum: f64 = (0..depth).map(|k| f64::from(reflect).powi(k as i32)).sum();
+    let expected = Vec3::new(0.5, 1.0, 0.25) * (0.2 * sum) as f32;
+    let mut tables = tables_of(&scene);
+    fault(&mut tables);
+    let film = on_cpu(&tables);
+    let error = |p: u32| (film.color(p) - expected).abs().max_element() / (1.0 + expected.max_element());
+    (0..film.pixels()).map(error).fold(0.0, f32::max)
+}
+
 #[test]
 fn the_furnace_a_lamp_in_the_middle_of_a_mirror_sphere() {
-    // Every ray from the middle comes back to it: each hit sees lamp and eye along its normal, so both terms are 1,
-    // and the sum over d rays is 2 local (1 + r + ... + r^(d-1)).
     for depth in [1, 2, 6, 20] {
         for reflect in [0.0, 0.5, 0.9] {
-            let mut scene = empty();
-            scene.trace.depth = depth;
-            scene.trace.cutoff = 0.0;
-            scene.materials[0].local = 0.1;
-            scene.materials[0].reflect = reflect;
-            scene.spheres = vec![Sphere { center: Vec3::ZERO, radius: 3.0, material: 0 }];
-            scene.lights = vec![Light::Point { position: Vec3::ZERO, power: Vec3::new(0.5, 1.0, 0.25) }];
-            let sum: f64 = (0..depth).map(|k| f64::from(reflect).powi(k as i32)).sum();
-            let expected = Vec3::new(0.5, 1.0, 0.25) * (0.2 * sum) as f32;
-            let film = on_cpu(&tables_of(&scene));
-            for p in 0..film.pixels() {
-                close(film.color(p), expected, "the furnace");
-            }
+            let error = furnace(depth, reflect, |_| ());
+            assert!(error <= 2e-6, "{error} at depth {depth}, reflecting {reflect}");
         }
+    }
+    let mutants: [(&str, Mutant); 5] = [
+        ("a lamp beside the middle", |t| t.lights[0].place.x = 0.05),
+        ("a weaker lamp", |t| t.lights[0].power *= 0.9999),
+        ("a mirror that takes more", |t| t.materials[0].reflect_weight *= 0.9999),
+        ("a ray less", |t| t.settings.max_depth -= 1),
+        ("a brighter highlight", |t| t.materials[0].local_weight *= 1.0001),
+    ];
+    for (what, mutant) in mutants {
+        assert!(furnace(6, 0.5, mutant) > 1e-5, "{what} goes unnoticed");
     }
 }
 

@@ -4,13 +4,14 @@ use rayon::prelude::*;
 use twinlight::cpu::trace::aim::{Ray, aim_of};
 use twinlight::cpu::trace::walk::{Walk, meet, walk};
 use twinlight::cpu::{Walker, Wides};
+use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
-use twinlight::prepare::bvh::{Binned, Bounds, Builder, Tree};
+use twinlight::prepare::bvh::{Binned, Bounds, Builder, Halves, Tree};
 use twinlight::prepare::{prepare, prepare_with};
 use twinlight::scene::{self, Scene, Sphere, Triangle};
 use twinlight::tables::{FAR, Leaf, NONE, Node, SPHERE, Tables};
 
-use super::{Dice, root, small};
+use super::{Dice, on_cpu, on_gpu, root, small};
 
 /// A scene of these triangles and nothing else.
 pub(super) fn scene_of(corners: &[[Vec3; 3]]) -> Scene {
@@ -223,6 +224,25 @@ fn spheres_among_triangles_are_found() {
     }
     let tally = compare_rays(&prepare(&scene), 8, 100_000);
     assert!(tally.differ == 0 && tally.hits * 4 > tally.rays, "{tally:?}");
+}
+
+/// The cross-check: a tree that is built in another way, two children a node.
+#[test]
+fn a_tree_of_two_children_says_the_same() {
+    let coincident = vec![soup(4, 1)[0]; 60];
+    for (i, corners) in [soup(3, 400), deep(), bust(37), coincident, Vec::new()].iter().enumerate() {
+        let tables = prepare_with(&scene_of(corners), &Halves);
+        let two =
+            |node: &Node| bytemuck::cast::<_, [u8; 8]>(node.kinds).iter().filter(|kind| **kind != 0).count() <= 2;
+        assert!(tables.nodes.iter().all(two), "list {i}");
+        let tally = compare_rays(&tables, i as u32, 50_000);
+        assert_eq!(tally.differ, 0, "list {i}: {tally:?}");
+    }
+    let scene = small(&root().join("scenes/bust.toml"), [61, 43], 1);
+    let film = on_cpu(&prepare(&scene));
+    let tables = prepare_with(&scene, &Halves);
+    assert!(film == on_cpu(&tables), "no tree shows in a picture");
+    assert!(film == on_gpu(&Sources::default(), &tables).expect("a film"), "nor on the GPU");
 }
 
 /// What is wrong with a tree: boxes that are a step too small, a child that is not there, children that are those of

@@ -20,27 +20,33 @@ impl Builder for Binned {
             boxes.par_iter().zip(0..boxes.len() as u32).map(|(b, i)| Item::new(*b, i)).collect();
         let whole = Part::new(&items, 0..items.len());
         let bounds = whole.bounds;
-        let grown = if items.is_empty() {
-            Grown { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 }
-        } else {
-            grow(&mut items, whole, 0)
-        };
+        let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0) };
         Tree { nodes: grown.nodes, order: grown.order, deep: grown.deep, bounds }
     }
 }
 
 /// A node, the first, and all that lies below it.
-struct Grown {
-    nodes: Vec<Node>,
-    order: Vec<u32>,
-    deep: u32,
+pub(super) struct Grown {
+    pub(super) nodes: Vec<Node>,
+    pub(super) order: Vec<u32>,
+    pub(super) deep: u32,
 }
+
+impl Grown {
+    /// A node without children.
+    pub(super) fn new() -> Self {
+        Self { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 }
+    }
+}
+
+/// How the items of a node are shared among its children, at a level of the tree.
+type Split = dyn Fn(&mut [Item], Part, u32) -> Vec<Part>;
 
 /// Grows a part: large children as tasks of their own, whose nodes are put together afterwards.
 fn grow(items: &mut [Item], whole: Part, level: u32) -> Grown {
-    let mut grown = Grown { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 };
+    let mut grown = Grown::new();
     if whole.items.len() <= TASK {
-        fill(&mut grown, 0, items, whole, level);
+        fill(&mut grown, 0, items, whole, level, &children);
         return grown;
     }
     let bounds = whole.bounds;
@@ -76,16 +82,23 @@ fn grow(items: &mut [Item], whole: Part, level: u32) -> Grown {
 }
 
 /// Grows a part at a node that has its place already.
-fn fill(grown: &mut Grown, at: usize, items: &mut [Item], whole: Part, level: u32) -> u32 {
+pub(super) fn fill(
+    grown: &mut Grown,
+    at: usize,
+    items: &mut [Item],
+    whole: Part,
+    level: u32,
+    split: &Split,
+) -> u32 {
     let bounds = whole.bounds;
-    let parts = children(items, whole, level);
+    let parts = split(items, whole, level);
     let places = places(&parts, bounds);
     let first = grown.nodes.len();
     grown.nodes[at] = begin(grown, &places, bounds, items);
     let inner = places.iter().flatten().filter(|part| !part.is_leaf());
     let mut deep = 0;
     for (part, child) in inner.zip(first..) {
-        deep = deep.max(fill(grown, child, items, (*part).clone(), level + 1));
+        deep = deep.max(fill(grown, child, items, (*part).clone(), level + 1, split));
     }
     grown.deep = grown.deep.max(deep + 1);
     deep + 1
