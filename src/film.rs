@@ -187,3 +187,15 @@ impl Film {
         })
     }
 }
+
+/// A picture of words with red in the lowest byte, row by row.
+///
+/// # Panics
+/// If there are fewer words than pixels.
+#[must_use]
+pub fn picture_of([width, height]: [u32; 2], words: &[u32]) -> image::RgbImage {
+    image::RgbImage::from_fn(width, height, |x, y| {
+        let [red, green, blue, _] = words[(y * width + x) as usize].to_le_bytes();
+        image::Rgb([red, green, blue])
+    })
+}

@@ -6,6 +6,7 @@ mod kernel;
 mod looks;
 mod pace;
 mod raster;
+mod screen;
 mod texels;
 mod trace;
 pub mod wgsl;
@@ -14,8 +15,9 @@ pub use buffer::Buffer;
 pub use error::Error;
 pub use kernel::{Binding, Kernel, parse};
 pub use raster::{GpuImage, GpuRaster, Room, Variant};
+pub use screen::Screen;
 pub use texels::Texels;
-pub use trace::{GpuPaths, GpuTrace};
+pub use trace::{GpuPaths, GpuSums, GpuTrace};
 
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -73,9 +75,7 @@ pub fn adapters() -> Vec<Adapter> {
     });
     // A driver that panics while it is asked is one that cannot be used.
     let mut adapters: Vec<_> = found.unwrap_or_default().into_iter().map(Adapter::new).collect();
-    adapters.sort_by_key(|a| {
-        ["GPU", "integrated GPU", "virtual GPU", "other", "software"].iter().position(|k| *k == a.kind)
-    });
+    adapters.sort_by_key(Adapter::rank);
     adapters
 }
 
@@ -97,6 +97,24 @@ impl Adapter {
             software: kind == "software",
             raw,
         }
+    }
+
+    /// Whether an adapter can show what it draws in a window.
+    #[must_use]
+    pub fn shows(raw: &wgpu::Adapter, window: &wgpu::Surface<'_>) -> bool {
+        raw.is_surface_supported(window)
+    }
+
+    /// The best of some adapters, or the one that is asked for.
+    #[must_use]
+    pub fn best(all: impl Iterator<Item = wgpu::Adapter>, wanted: &Wanted) -> Option<wgpu::Adapter> {
+        let mut all: Vec<_> = all.map(Self::new).filter(|adapter| adapter.is(wanted)).collect();
+        all.sort_by_key(Self::rank);
+        all.into_iter().next().map(|adapter| adapter.raw)
+    }
+
+    fn rank(&self) -> Option<usize> {
+        ["GPU", "integrated GPU", "virtual GPU", "other", "software"].iter().position(|kind| *kind == self.kind)
     }
 
     /// Whether this is the adapter that `wanted` asks for.
@@ -124,6 +142,17 @@ impl Adapter {
     }
 }
 
+/// How to open a device: with WebGPU's default limits, so that what runs here runs on every adapter; faster ways only
+/// where there are any.
+#[must_use]
+pub fn descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+    wgpu::DeviceDescriptor {
+        label: Some("twinlight"),
+        required_features: adapter.features() & EXTRAS,
+        ..wgpu::DeviceDescriptor::default()
+    }
+}
+
 /// One device and its queue. A process needs one.
 #[derive(Debug)]
 pub struct Gpu {
@@ -146,18 +175,23 @@ impl Gpu {
         let names = all.iter().map(|a| a.name.clone()).collect();
         let adapter = all.into_iter().find(|a| a.is(wanted));
         let adapter = adapter.ok_or(Error::NoAdapter { wanted: wanted.clone(), names })?;
-        // WebGPU's default limits, so that what runs here runs on every adapter; faster ways only where there are any.
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("twinlight"),
-            required_features: adapter.raw.features() & EXTRAS,
-            ..wgpu::DeviceDescriptor::default()
-        };
+        let descriptor = descriptor(&adapter.raw);
         let asked = catch_unwind(AssertUnwindSafe(|| pollster::block_on(adapter.raw.request_device(&descriptor))));
         let (device, queue) = match asked {
             Ok(Ok(pair)) => pair,
             Ok(Err(error)) => return Err(Error::Device(error.to_string())),
             Err(_) => return Err(Error::Device("its driver failed while it was opened".to_owned())),
         };
+        Ok(Self::with(adapter, device, queue))
+    }
+
+    /// A device that somebody else has opened, with [`descriptor`], for what shares it: a window.
+    #[must_use]
+    pub fn share(adapter: wgpu::Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
+        Self::with(Adapter::new(adapter), device, queue)
+    }
+
+    fn with(adapter: Adapter, device: wgpu::Device, queue: wgpu::Queue) -> Self {
         let lost = Arc::new(AtomicBool::new(false));
         let complaint = Arc::new(Mutex::new(None));
         // No locks in this one: it may be called from within any other call.
@@ -167,7 +201,7 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
-        Ok(Self { device, queue, adapter, lost, complaint, kernels: Mutex::default() })
+        Self { device, queue, adapter, lost, complaint, kernels: Mutex::default() }
     }
 
     /// The kernel that was built of this text.
@@ -200,6 +234,12 @@ impl Gpu {
     #[must_use]
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
+    }
+
+    /// Whether the device is gone.
+    #[must_use]
+    pub fn lost(&self) -> bool {
+        self.lost.load(Ordering::Acquire)
     }
 
     /// Whether it is a program on this machine's processor.

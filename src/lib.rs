@@ -25,7 +25,8 @@
 //! A module may use those below its own floor, never those above or beside it (`tests/suite/tidy.rs` holds this):
 //!
 //! ```text
-//! 6  bin                   people
+//! 7  bin                   people
+//! 6  view                  what the preview knows and does, without its window
 //! 5  render | explain      picks method and backend; the only place that knows both | a pixel and all that made it
 //! 4  cpu | gpu             how a stage is done; strangers to each other
 //! 3  raster | trace        what a frame is: the trait, the order of stages
@@ -100,3 +101,4 @@ pub mod render;
 pub mod scene;
 pub mod tables;
 pub mod trace;
+pub mod view;

@@ -7,7 +7,7 @@ pub mod lens;
 mod mesh;
 mod window;
 
-pub use draw::draw;
+pub use draw::{Scenery, draw};
 pub use mesh::{PLANE_FACES, SPHERE_FACES};
 
 use glam::Vec3;
@@ -34,7 +34,7 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     let mut sheet = Sheet::new(scene);
     sheet.triangles(scene);
     sheet.meshes(scene);
-    let Sheet { vertices, faces, paints, texels } = sheet;
+    let Sheet { vertices, faces, paints, texels, .. } = sheet;
     let bounds = if tree.order.is_empty() { Bounds::around([Vec3::ZERO]) } else { tree.bounds };
     let mut tables = Tables {
         view: view(scene),
@@ -89,7 +89,8 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
 }
 
 /// The film plane at distance one from the eye (spec 1.2.1 and 2.2).
-fn view(scene: &Scene) -> View {
+#[must_use]
+pub fn view(scene: &Scene) -> View {
     let [width, height] = scene.film.size;
     let [right, up, back] = pose(&scene.camera);
     let tall = 2.0 * (scene.camera.fov / 2.0).tan();

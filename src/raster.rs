@@ -175,6 +175,29 @@ fn layer<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image, lace: boo
     }
 }
 
+/// One sample of each pixel that an eye sees, added to the sums.
+///
+/// # Errors
+/// The backend's.
+pub fn look<R: Raster>(
+    stages: &mut R,
+    drawing: &Drawing,
+    eye: &Lens,
+    image: &mut R::Image,
+    shadows: &R::Image,
+) -> Result<(), R::Error> {
+    stages.clear(image)?;
+    draw(stages, eye, image)?;
+    stages.mark(eye, image)?;
+    if drawing.canvas.show == SHOW_TILES {
+        stages.crowd(eye)?;
+        return stages.heat(eye);
+    }
+    stages.sift(eye, image)?;
+    stages.shade(eye, image, shadows)?;
+    stages.ground(eye)
+}
+
 /// One frame: every light's shadows, then every sample. `watch` is told the fraction done, and may stop it.
 ///
 /// # Errors
@@ -214,17 +237,7 @@ pub fn part<R: Raster>(
     let mut image = stages.image(pixels as usize, true)?;
     for eyes in &windows {
         for eye in eyes {
-            stages.clear(&mut image)?;
-            draw(stages, eye, &mut image)?;
-            stages.mark(eye, &mut image)?;
-            if drawing.canvas.show == SHOW_TILES {
-                stages.crowd(eye)?;
-                stages.heat(eye)?;
-            } else {
-                stages.sift(eye, &image)?;
-                stages.shade(eye, &image, &shadows)?;
-                stages.ground(eye)?;
-            }
+            look(stages, drawing, eye, &mut image, &shadows)?;
             // What is done cannot be stopped any more.
             if step(&mut done).is_break() && done < passes {
                 return Ok(film);

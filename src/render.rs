@@ -1,6 +1,7 @@
 //! A scene, a method and a backend -> a film. The only place that knows both backends.
 
 mod good;
+pub mod live;
 mod work;
 
 pub use good::Good;

@@ -5,6 +5,8 @@
 
 mod alone;
 mod animate;
+mod bounds;
+mod draft;
 mod error;
 pub mod file;
 mod maps;
@@ -12,9 +14,11 @@ mod mesh;
 pub mod model;
 mod place;
 mod resolve;
+mod same;
 mod source;
 pub mod value;
 
+pub use draft::{Draft, Held};
 pub use error::Error;
 pub use file::{Behavior, Filter, Method, Specular};
 pub use maps::Maps;

@@ -13,6 +13,7 @@ mod paint;
 mod path;
 mod piece;
 mod plane;
+mod print;
 mod settings;
 mod slice;
 mod sphere;
@@ -33,6 +34,7 @@ pub use paint::{
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
 pub use piece::{Corner, MOST_CORNERS, PLANES, Piece, Tally};
 pub use plane::Plane;
+pub use print::{AS_IT_IS, Print, SRGB};
 pub use settings::{BLINN, NONE, PHONG, Settings};
 pub use slice::{GROUP, MOST_TURNS, Slice};
 pub use sphere::Sphere;

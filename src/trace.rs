@@ -12,6 +12,7 @@
 //! Samples are summed in blocks of [`BLOCK`], and the blocks' sums are added in order. So a frame that is stopped,
 //! resumed, or made in parts on many machines ([`Part`]) has the bits of one that was made at once.
 
+pub mod grow;
 mod passes;
 
 pub use passes::{Until, passes};
@@ -269,26 +270,32 @@ fn block<T: Trace>(
     let mut done = 0;
     let mut rounds = 0_u32;
     while done < run.going() {
-        let slice = Slice {
-            first: pixels.start,
-            count: pixels.len() as u32,
-            samples: samples.end,
-            budget: stages.budget(),
-        };
-        for _ in 0..stages.rounds() {
-            if tables.few {
-                stages.few(&mut paths, &slice)?;
-            } else {
-                stages.cast(&mut paths, &slice)?;
-                stages.follow(&mut paths, &slice)?;
-                stages.gather(&mut paths, &slice)?;
-            }
-            rounds = rounds.saturating_add(1);
-        }
-        done += stages.settle(&mut paths)?;
+        rounds = rounds.saturating_add(stages.rounds());
+        done += round(stages, tables, &mut paths, &pixels, samples.end)?;
         if progress((f64::from(rounds) / samples.len() as f64).min(0.99)).is_break() {
             return Ok(None);
         }
     }
     stages.end(paths).map(Some)
+}
+
+/// As many rounds of the stages as the backend wants at once; how many pixels have got their last sample.
+fn round<T: Trace>(
+    stages: &mut T,
+    tables: &Tables,
+    paths: &mut T::Paths,
+    pixels: &Range<u32>,
+    samples: u32,
+) -> Result<u32, T::Error> {
+    let slice = Slice { first: pixels.start, count: pixels.len() as u32, samples, budget: stages.budget() };
+    for _ in 0..stages.rounds() {
+        if tables.few {
+            stages.few(paths, &slice)?;
+        } else {
+            stages.cast(paths, &slice)?;
+            stages.follow(paths, &slice)?;
+            stages.gather(paths, &slice)?;
+        }
+    }
+    stages.settle(paths)
 }

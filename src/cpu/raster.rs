@@ -74,7 +74,8 @@ pub struct CpuRaster<'a> {
     pub tally: Tally,
     /// Of [`Raster::sift`]: runs of pixels that show a face, and that show none, in order.
     pub runs: [Vec<u32>; 2],
-    sums: Vec<[f32; 4]>,
+    /// Of [`Raster::shade`]: red, green, blue and the number of samples in the sum.
+    pub sums: Vec<[f32; 4]>,
 }
 
 /// Faces or pixels that a thread takes at once.

@@ -8,6 +8,7 @@ pub mod few;
 pub mod follow;
 pub mod gather;
 pub mod hold;
+pub mod lay;
 pub mod meet;
 pub mod primary;
 pub mod scatter;
@@ -17,6 +18,7 @@ pub mod unrolled;
 pub mod walk;
 
 use std::convert::Infallible;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -30,7 +32,7 @@ use crate::trace::{Paths, Trace};
 #[derive(Debug)]
 pub struct CpuTrace<'a> {
     tables: &'a Tables,
-    wides: Wides,
+    wides: Arc<Wides>,
     status: Status,
 }
 
@@ -38,7 +40,13 @@ impl<'a> CpuTrace<'a> {
     /// A tracer of one scene.
     #[must_use]
     pub fn new(tables: &'a Tables) -> Self {
-        Self { tables, wides: Wides::new(tables), status: bytemuck::Zeroable::zeroed() }
+        Self::with(tables, Arc::new(Wides::new(tables)))
+    }
+
+    /// The same with the tree that was made wide before, of tables with the same one.
+    #[must_use]
+    pub fn with(tables: &'a Tables, wides: Arc<Wides>) -> Self {
+        Self { tables, wides, status: SILENT }
     }
 
     /// What the stages have told since the last [`Trace::settle`].
@@ -99,7 +107,7 @@ impl Trace for CpuTrace<'_> {
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let deep = tables.deep as usize;
-        let wides = &self.wides;
+        let wides = &*self.wides;
         let stacks = paths.waiting.par_chunks_mut(group * depth).zip(paths.walks.par_chunks_mut(group * deep));
         let told =
             paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, (waiting, walks)))| {

@@ -33,6 +33,19 @@ impl<T: Pod> Buffer<T> {
         encoder.clear_buffer(&self.raw, 0, None);
     }
 
+    /// Records that `count` elements from `first` on are copied onto another's from `at` on.
+    pub(super) fn copy(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        first: usize,
+        to: &Self,
+        at: usize,
+        count: usize,
+    ) {
+        let [first, at, count] = [first, at, count].map(|n| (n * size_of::<T>()) as u64);
+        encoder.copy_buffer_to_buffer(&self.raw, first, &to.raw, at, Some(count));
+    }
+
     fn bytes(&self) -> u64 {
         (self.len * size_of::<T>()) as u64
     }

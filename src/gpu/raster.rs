@@ -1,5 +1,6 @@
 //! The rasterizer's stages as kernels.
 
+mod keep;
 mod part;
 mod stages;
 mod variant;
@@ -62,6 +63,15 @@ pub struct GpuRaster<'a> {
     /// What is recorded and not submitted yet.
     encoder: Option<wgpu::CommandEncoder>,
     samples: u32,
+    /// Bytes that are bound at once at most.
+    binding: u64,
+}
+
+/// What an eye sees at most, in pixels, and what any lens sees, in tiles.
+fn sizes(drawing: &Drawing) -> [usize; 2] {
+    let eyes = drawing.windows(&drawing.film().map(|side| 0..side)).concat();
+    let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0);
+    [pixels, eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0)].map(|count| count as usize)
 }
 
 /// Where there are two of one stage, the first draws onto a light's image, the second onto an eye's.
@@ -163,9 +173,7 @@ impl<'a> GpuRaster<'a> {
     }
 
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
-        let eyes = drawing.windows(&drawing.film().map(|side| 0..side)).concat();
-        let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0) as usize;
-        let tiles = eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0) as usize;
+        let [pixels, tiles] = sizes(drawing);
         let runs = pixels.div_ceil(kernels.sift.group() as usize);
         let cut_out = drawing.faces.iter().any(|face| face.paint & CUT_OUT != 0);
         let laces = cut_out.then(|| {
@@ -203,6 +211,7 @@ impl<'a> GpuRaster<'a> {
             sums: gpu.zeroed("sums", pixels)?,
             encoder: None,
             samples: drawing.samples() as u32,
+            binding: room.binding,
         })
     }
 

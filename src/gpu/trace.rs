@@ -1,7 +1,9 @@
 //! The ray tracer's stages as kernels.
 
+mod grow;
 mod paths;
 
+pub use grow::GpuSums;
 pub use paths::GpuPaths;
 
 use std::time::Instant;
@@ -30,6 +32,7 @@ pub struct GpuTrace<'a> {
     cast: Kernel,
     follow: Kernel,
     gather: Kernel,
+    lay: Kernel,
     few: Option<Kernel>,
     max_depth: u32,
     deep: u32,
@@ -52,6 +55,8 @@ pub struct GpuTrace<'a> {
     /// Recorded and not yet submitted, with the workgroups it should report.
     recorded: Option<(wgpu::CommandEncoder, u32)>,
     last: Status,
+    /// Paths that are done with: room for the next run.
+    spare: Option<GpuPaths>,
     pace: Pace,
     idle: u32,
 }
@@ -87,6 +92,7 @@ impl<'a> GpuTrace<'a> {
             cast: Kernel::new(gpu, sources, "trace/cast")?,
             follow: Kernel::new(gpu, sources, "trace/follow")?,
             gather: Kernel::new(gpu, sources, "trace/gather")?,
+            lay: Kernel::new(gpu, sources, "trace/lay")?,
             few: few.transpose()?,
             max_depth: tables.settings.max_depth,
             deep: tables.deep,
@@ -107,6 +113,7 @@ impl<'a> GpuTrace<'a> {
             status: gpu.zeroed("status", 1)?,
             recorded: None,
             last: Status::zeroed(),
+            spare: None,
             pace: Pace::new(gpu.slice_time(), pixels),
             idle: 0,
         })
@@ -158,7 +165,10 @@ impl Trace for GpuTrace<'_> {
         self.left = end - run.samples.end;
         self.recorded = None;
         self.idle = 0;
-        self.fresh(run, end)
+        match self.spare.take().filter(|spare| spare.pixels.len() == run.pixels.len()) {
+            Some(spare) => Ok(self.again(spare, run, end)),
+            None => self.fresh(run, end),
+        }
     }
 
     fn cast(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {

@@ -1,6 +1,7 @@
 //! wgsl files -> one kernel's source, and back from its lines to theirs
 
 use std::borrow::Cow;
+use std::path::Path;
 
 /// A line of this form is replaced by a file's text, the first time that the file is named.
 const IMPORT: &str = "#import ";
@@ -23,6 +24,7 @@ macro_rules! embed {
 }
 
 embed! {
+    "film/develop",
     "math/angle",
     "math/fence",
     "math/power",
@@ -68,6 +70,7 @@ embed! {
     "tables/path",
     "tables/piece",
     "tables/plane",
+    "tables/print",
     "tables/settings",
     "tables/slice",
     "tables/sphere",
@@ -82,6 +85,7 @@ embed! {
     "trace/follow",
     "trace/gather",
     "trace/hold",
+    "trace/lay",
     "trace/meet",
     "trace/primary",
     "trace/scatter",
@@ -105,6 +109,15 @@ impl Sources {
     pub fn get(&self, name: &str) -> Option<Cow<'_, str>> {
         let changed = self.changed.iter().find(|(n, _)| n == name).map(|(_, text)| Cow::Borrowed(text.as_str()));
         changed.or_else(|| FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| Cow::Borrowed(*text)))
+    }
+
+    /// The kernels of a folder, each file by the name of one that is built in.
+    ///
+    /// # Errors
+    /// If one of them cannot be read.
+    pub fn of_folder(folder: &Path) -> std::io::Result<Self> {
+        let read = |name: &str| std::fs::read_to_string(folder.join(name).with_extension("wgsl"));
+        FILES.iter().try_fold(Self::default(), |all, (name, _)| Ok(all.with(name, read(name)?)))
     }
 
     /// The same sources with another text for one file: how a fault is planted, or a kernel tried out.

@@ -10,7 +10,7 @@ use super::window::regions;
 use super::{filtering, pose};
 use crate::math::vector::unit;
 use crate::scene::{Camera, Light, Scene, Show, Specular};
-use crate::tables::{self, CUT_OUT, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, NONE};
+use crate::tables::{self, CUT_OUT, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, Map, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
 const SHADOW_WORDS: u32 = (128 << 20) / 4;
@@ -28,33 +28,85 @@ struct Bounds {
 /// The drawing of a scene.
 #[must_use]
 pub fn draw(scene: &Scene) -> Drawing {
-    let mut sheet = Sheet::new(scene);
-    sheet.meshes(scene);
-    sheet.spheres(scene);
-    sheet.triangles(scene);
-    let bounds = bounds(&sheet);
-    sheet.planes(scene);
-    let Sheet { vertices, mut faces, paints, texels, .. } = sheet;
-    if scene.raster.show == Show::Tiles {
-        // A cut-out face is work for all of its pixels.
-        for face in &mut faces {
-            face.paint &= !CUT_OUT;
-        }
+    Scenery::new(scene).drawing
+}
+
+/// A drawing that is kept: what a person changes from frame to frame by hand is little of it.
+#[derive(Debug)]
+pub struct Scenery {
+    /// What is drawn.
+    pub drawing: Drawing,
+    /// Where the scene's own pictures lie.
+    textures: Vec<Map>,
+    bounds: Option<Bounds>,
+    /// Vertices and faces that do not follow the eye, as those of infinite planes do.
+    solid: [usize; 2],
+}
+
+impl Scenery {
+    /// The drawing of a scene, and what it takes to look at it otherwise.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let mut sheet = Sheet::new(scene);
+        sheet.meshes(scene);
+        sheet.spheres(scene);
+        sheet.triangles(scene);
+        let (bounds, solid) = (bounds(&sheet), [sheet.vertices.len(), sheet.faces.len()]);
+        let mut scenery = Self { drawing: nothing(scene), textures: Vec::new(), bounds, solid };
+        scenery.lay(sheet, scene);
+        scenery
     }
 
-    let mut drawing = Drawing {
+    /// Another eye, film, light, other settings and other numbers of materials, for the same things: whether the things
+    /// are the same is for [`Scene::has_the_things_of`] to say. Tiles are shown of faces of their own.
+    pub fn aim(&mut self, scene: &Scene) {
+        let mut sheet = Sheet {
+            vertices: std::mem::take(&mut self.drawing.vertices),
+            faces: std::mem::take(&mut self.drawing.faces),
+            paints: std::mem::take(&mut self.drawing.paints),
+            texels: std::mem::take(&mut self.drawing.texels),
+            textures: std::mem::take(&mut self.textures),
+        };
+        sheet.vertices.truncate(self.solid[0]);
+        sheet.faces.truncate(self.solid[1]);
+        sheet.repaint(scene);
+        self.lay(sheet, scene);
+    }
+
+    /// Vertices that are the same whatever the eye does: those before this one.
+    #[must_use]
+    pub fn solid(&self) -> usize {
+        self.solid[0]
+    }
+
+    fn lay(&mut self, mut sheet: Sheet, scene: &Scene) {
+        sheet.planes(scene);
+        let Sheet { vertices, mut faces, paints, texels, textures } = sheet;
+        if scene.raster.show == Show::Tiles {
+            // A cut-out face is work for all of its pixels.
+            for face in &mut faces {
+                face.paint &= !CUT_OUT;
+            }
+        }
+        self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene) };
+        self.textures = textures;
+        lamps(scene, self.bounds, &mut self.drawing);
+    }
+}
+
+/// The eyes and the canvas, and nothing drawn yet.
+fn nothing(scene: &Scene) -> Drawing {
+    Drawing {
         eyes: eyes(scene),
         most: MOST_PIXELS,
         lenses: Vec::new(),
         canvas: canvas(scene),
-        vertices,
-        faces,
-        paints,
+        vertices: Vec::new(),
+        faces: Vec::new(),
+        paints: Vec::new(),
         lamps: Vec::new(),
-        texels,
-    };
-    lamps(scene, bounds, &mut drawing);
-    drawing
+        texels: Vec::new(),
+    }
 }
 
 fn bounds(sheet: &Sheet) -> Option<Bounds> {

@@ -18,6 +18,8 @@ pub(super) struct Sheet {
     pub(super) faces: Vec<Face>,
     pub(super) paints: Vec<Paint>,
     pub(super) texels: Vec<u32>,
+    /// The scene's own pictures.
+    pub(super) textures: Vec<Map>,
 }
 
 const BARE: Map = Map { first: NONE, width: 0, height: 0, levels: 0, scale: Vec2::ONE, shift: Vec2::ZERO };
@@ -36,9 +38,16 @@ impl Sheet {
         let transfer = scene.film.transfer;
         let texels = (0..=255).map(|byte| transfer.decode(byte).to_bits()).collect();
         let mut sheet = Self { texels, ..Self::default() };
-        let textures: Vec<Map> = scene.textures.iter().map(|t| sheet.texture(t, transfer)).collect();
-        sheet.paints = scene.materials.iter().map(|m| cover(m, &textures)).collect();
+        sheet.textures = scene.textures.iter().map(|t| sheet.texture(t, transfer)).collect();
+        sheet.paints = scene.materials.iter().map(|m| cover(m, &sheet.textures)).collect();
         sheet
+    }
+
+    /// Other numbers for the scene's materials, of which there are as many as before.
+    pub(super) fn repaint(&mut self, scene: &Scene) {
+        for (paint, material) in self.paints.iter_mut().zip(&scene.materials) {
+            *paint = cover(material, &self.textures);
+        }
     }
 
     pub(super) fn meshes(&mut self, scene: &Scene) {

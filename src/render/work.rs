@@ -63,6 +63,16 @@ fn bytes(scene: &Scene, method: Method) -> u64 {
     faces * FACE + texels * 16
 }
 
+/// Whether a scene's tables fit into what may be taken. Counted before it is taken: a file of a few lines may place a
+/// model a million times.
+pub(super) fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error> {
+    let (needed, most) = (bytes(scene, method), reach.most());
+    if needed > most {
+        return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
+    }
+    Ok(())
+}
+
 /// Bytes of a face with its corners, and with its share of the tree or of the lists that corners are looked up in.
 const FACE: u64 = 256;
 
@@ -80,11 +90,7 @@ impl Work {
     /// # Errors
     /// As [`Work::new`].
     pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
-        // Counted before it is taken: a file of a few lines may place a model a million times.
-        let (needed, most) = (bytes(scene, method), reach.most());
-        if needed > most {
-            return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
-        }
+        within(scene, method, reach)?;
         let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
         let mut notes: Vec<_> = warnings.map(ToString::to_string).collect();
         let [width, height] = scene.film.size;

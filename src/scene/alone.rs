@@ -1,6 +1,7 @@
 //! a model with no scene file -> a scene that fits it: a camera before it, two lights, and a ground below
 
-use std::path::Path;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::Vec3;
@@ -8,13 +9,13 @@ use glam::Vec3;
 use super::model::{Confined, Model, read_model};
 use super::source::Reach;
 use super::{
-    Behavior, Camera, Error, FilmSettings, Filter, Light, Maps, Material, Mesh, Method, Plane, RasterSettings,
-    Scene, Show, Specular, TraceSettings,
+    Behavior, Camera, Error, FilmSettings, Filter, Held, Light, Maps, Material, Mesh, Method, Plane,
+    RasterSettings, Scene, Show, Specular, TraceSettings,
 };
 use crate::film::Transfer;
 
-/// A model and what it takes to look at it.
-pub(super) fn alone(path: &Path, reach: &Reach) -> Result<Scene, Error> {
+/// A model and what it takes to look at it; what it is called, and the folder that this name is relative to.
+pub(super) fn alone(path: &Path, reach: &Reach) -> Result<(Scene, PathBuf, String), Error> {
     let failed = |why: String| Error::Read { path: path.to_owned(), why };
     // Pictures often lie in a folder beside the model's own: `../textures/wood.png`.
     let whole = path.canonicalize().map_err(|e| failed(e.to_string()))?;
@@ -29,7 +30,48 @@ pub(super) fn alone(path: &Path, reach: &Reach) -> Result<Scene, Error> {
     let folder =
         reach.search.iter().try_fold(folder, |all, more| all.and(more)).map_err(|e| failed(e.to_string()))?;
     let model = read_model(&name, &folder, &reach.limits()).map_err(|e| failed(e.to_string()))?;
-    Ok(around(Arc::new(model)))
+    Ok((around(Arc::new(model)), root.to_owned(), name.to_string_lossy().into_owned()))
+}
+
+/// The same scene as a file would say it, so that it can be changed and kept as one; `name` is the model's.
+pub(super) fn text(scene: &Scene, name: &str) -> String {
+    let three = |v: Vec3| format!("{:?}", v.to_array());
+    let Camera { position, look_at, fov, near, far, .. } = &scene.camera;
+    let mut text = format!(
+        "method = \"raster\"\n\n[camera]\nposition = {}\nlook_at = {}\nfov = {:?}\nnear = {near:?}\nfar = {far:?}\n\n\
+         [film]\nsize = {:?}\nbackground = {}\n\n[raster]\nambient = {}\n",
+        three(*position),
+        three(*look_at),
+        fov.to_degrees(),
+        scene.film.size,
+        three(scene.film.background),
+        three(scene.raster.ambient)
+    );
+    for light in &scene.lights {
+        if let Light::Directional { toward, power, .. } = light {
+            let _ = write!(
+                text,
+                "\n[[light.directional]]\ntoward = {}\nintensity = {:?}\n",
+                three(*toward),
+                power.max_element()
+            );
+        }
+    }
+    for material in &scene.materials {
+        let Material { name, color, exponent, .. } = material;
+        let _ =
+            write!(text, "\n[[material]]\nname = {name:?}\ncolor = {}\nexponent = {exponent:?}\n", three(*color));
+    }
+    for plane in &scene.planes {
+        let material = &scene.materials[plane.material].name;
+        let _ = write!(
+            text,
+            "\n[[object.plane]]\npoint = {}\nnormal = {}\nmaterial = {material:?}\n",
+            three(plane.point),
+            three(plane.normal)
+        );
+    }
+    text + &format!("\n[[object.mesh]]\npath = {}\n", Held::Word(name.to_owned()).to_toml())
 }
 
 fn around(model: Arc<Model>) -> Scene {

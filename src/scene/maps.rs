@@ -1,5 +1,6 @@
 //! the pictures that a scene's materials name -> textures, each once for each use, and the maps that point to them
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -21,6 +22,9 @@ pub struct Maps {
     pub specular: Option<Map>,
 }
 
+/// Pictures that were read, by name, content and the bits of their strength; with each what is left of its strength.
+pub(super) type Read = RefCell<HashMap<(String, Content, u32), (Texture, f32)>>;
+
 /// The pictures of a scene, as far as they were asked for.
 pub(super) struct Pictures<'a> {
     /// What the scene is called: pictures are looked for beside it.
@@ -31,13 +35,15 @@ pub(super) struct Pictures<'a> {
     /// Name, content and the bits of its strength -> what came of it.
     made: HashMap<(String, Content, u32), Map>,
     textures: Vec<Texture>,
+    /// A picture that an earlier frame has read is not read again.
+    read: &'a Read,
 }
 
 impl<'a> Pictures<'a> {
-    pub(super) fn new(scene: &'a Path, reach: &'a Reach) -> Self {
+    pub(super) fn new(scene: &'a Path, reach: &'a Reach, read: &'a Read) -> Self {
         let limits = reach.limits();
         let budget = Budget::new(&limits);
-        Self { scene, reach, limits, budget, made: HashMap::new(), textures: Vec::new() }
+        Self { scene, reach, limits, budget, made: HashMap::new(), textures: Vec::new(), read }
     }
 
     pub(super) fn into_textures(self) -> Vec<Texture> {
@@ -50,6 +56,10 @@ impl<'a> Pictures<'a> {
         let key = (file.to_owned(), content, strength.to_bits());
         if let Some(&map) = self.made.get(&key) {
             return Ok(map);
+        }
+        let known = self.read.borrow().get(&key).cloned();
+        if let Some((texture, left)) = known {
+            return Ok(self.add(key, texture, left));
         }
         let picture = self.picture(file)?;
         let Picture { file, width, height, mut texels, .. } = picture;
@@ -70,11 +80,17 @@ impl<'a> Pictures<'a> {
             }
         }
         let has_alpha = texels.iter().any(|texel| texel[3] < 255);
-        let texture = self.textures.len() as u32;
-        self.textures.push(Texture { file, content, width, height, texels, has_alpha });
-        let map = Map { texture, scale: Vec2::ONE, offset: Vec2::ZERO, clamp: false, strength: left };
+        let texture = Texture { file, content, width, height, texels, has_alpha };
+        self.read.borrow_mut().insert(key.clone(), (texture.clone(), left));
+        Ok(self.add(key, texture, left))
+    }
+
+    fn add(&mut self, key: (String, Content, u32), texture: Texture, strength: f32) -> Map {
+        let number = self.textures.len() as u32;
+        self.textures.push(texture);
+        let map = Map { texture: number, scale: Vec2::ONE, offset: Vec2::ZERO, clamp: false, strength };
         self.made.insert(key, map);
-        Ok(map)
+        map
     }
 
     fn picture(&mut self, file: &str) -> Result<Picture, String> {

@@ -15,7 +15,7 @@ pub(super) type Value<'t> = Spanned<DeValue<'t>>;
 pub(super) struct Place(Vec<Step>);
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Step {
+pub(super) enum Step {
     Field(String),
     Entry(usize),
 }
@@ -47,6 +47,16 @@ impl Place {
             }
         }
         Ok(Self(steps))
+    }
+
+    /// The value that a way leads to.
+    pub(super) fn of(steps: &[Step]) -> Self {
+        Self(steps.to_vec())
+    }
+
+    /// The way to it from the outermost table.
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.0
     }
 
     /// The value that stands there.

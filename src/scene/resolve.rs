@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Vec2, Vec3};
 
 use super::file::{self, File};
-use super::maps::Pictures;
+use super::maps::{Pictures, Read};
 use super::model::{Model, read_model};
 use super::source::{Models, Reach};
 use super::value::At;
@@ -25,6 +25,7 @@ pub(super) struct Resolver<'a> {
     pub(super) complain: &'a dyn Fn(Range<usize>, &str) -> Error,
     pub(super) reach: &'a Reach,
     pub(super) models: &'a Models,
+    pub(super) pictures: &'a Read,
 }
 
 impl Resolver<'_> {
@@ -38,7 +39,7 @@ impl Resolver<'_> {
                 return self.refuse(&material.name, "two materials cannot have one name");
             }
         }
-        let mut pictures = Pictures::new(self.name, self.reach);
+        let mut pictures = Pictures::new(self.name, self.reach, self.pictures);
         let materials =
             file.material.iter().map(|m| self.material(m, &film, &mut pictures)).collect::<Result<_, _>>()?;
         let objects = &file.object;

@@ -11,10 +11,11 @@ use std::sync::Arc;
 use serde::Deserialize as _;
 use toml::de::{DeTable, DeValue, Deserializer};
 
-use super::alone::alone;
+use super::alone::{alone, text};
 use super::animate::{Edit, edits};
 use super::error::Complaint;
 use super::file::{Animation, File};
+use super::maps::Read;
 use super::model::{Confined, Limits, Model, Refusal};
 use super::place::{Place, moved};
 use super::resolve::{Resolver, fits};
@@ -70,10 +71,13 @@ pub(super) type Models = RefCell<HashMap<String, Arc<Model>>>;
 #[derive(Debug)]
 pub struct Source {
     path: PathBuf,
+    /// What the names in the text are relative to, as if it were this file.
+    home: PathBuf,
     reach: Reach,
     text: String,
     sets: Vec<String>,
     models: Models,
+    pictures: Read,
     animation: Option<Animation>,
     /// A model with no scene file.
     alone: Option<Box<Scene>>,
@@ -87,12 +91,14 @@ impl Source {
     /// If the file cannot be read, or its text with what is set is not a scene.
     pub fn open(path: &Path, sets: &[String], reach: &Reach) -> Result<Self, Error> {
         if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
-            if !sets.is_empty() {
-                let why = "a model alone has no fields that could be set".to_owned();
-                return Err(Error::Read { path: path.to_owned(), why });
+            let (scene, home, name) = alone(path, reach)?;
+            let mut source = Self::new(text(&scene, &name), path, sets, reach);
+            // The name stands for a file beside which names are looked for.
+            source.home = home.join("scene");
+            source.models.borrow_mut().insert(name, Arc::clone(&scene.meshes[0].model));
+            if sets.is_empty() {
+                source.alone = Some(Box::new(scene));
             }
-            let mut source = Self::new(String::new(), path, sets, reach);
-            source.alone = Some(Box::new(alone(path, reach)?));
             return Ok(source);
         }
         Self::written(read(path)?, path, sets, reach)
@@ -105,8 +111,59 @@ impl Source {
     }
 
     fn new(text: String, path: &Path, sets: &[String], reach: &Reach) -> Self {
-        let (path, reach, sets) = (path.to_owned(), reach.clone(), sets.to_vec());
-        Self { path, reach, text, sets, models: Models::default(), animation: None, alone: None }
+        let (home, path, reach, sets) = (path.to_owned(), path.to_owned(), reach.clone(), sets.to_vec());
+        Self {
+            path,
+            home,
+            reach,
+            text,
+            sets,
+            models: Models::default(),
+            pictures: Read::default(),
+            animation: None,
+            alone: None,
+        }
+    }
+
+    /// The same file with another text: models and pictures that were read are not read again.
+    ///
+    /// # Errors
+    /// If the text with what is set is not a scene.
+    pub fn again(&self, text: String) -> Result<Self, Error> {
+        let mut source = Self::new(text, &self.path, &self.sets, &self.reach);
+        source.home.clone_from(&self.home);
+        source.models.clone_from(&self.models);
+        source.pictures.clone_from(&self.pictures);
+        source.animation = source.file(&[], None)?.animation;
+        Ok(source)
+    }
+
+    /// The text of the file as it was read; of a model alone what a file would say.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The file itself and all that its scene reads, as far as it was found.
+    #[must_use]
+    pub fn files(&self, scene: &Scene) -> Vec<PathBuf> {
+        let folder = self.home.parent().unwrap_or(Path::new(""));
+        let models = self.models.borrow();
+        let pictures = scene.meshes.iter().flat_map(|mesh| &mesh.model.textures).chain(&scene.textures);
+        let pictures = pictures.map(|picture| folder.join(&picture.file));
+        // A model's materials lie beside it, by its own name as a rule.
+        let models = models.keys().flat_map(|name| [folder.join(name), folder.join(name).with_extension("mtl")]);
+        let all = models.chain(pictures).chain([self.path.clone()]);
+        all.filter(|file| file.is_file()).collect()
+    }
+
+    /// Where the text is kept: its file, or for a model alone a new one beside the folder that it lies in.
+    #[must_use]
+    pub fn keeps(&self) -> PathBuf {
+        if self.home == self.path {
+            return self.path.clone();
+        }
+        self.home.with_file_name(self.path.with_extension("toml").file_name().unwrap_or_default())
     }
 
     /// The file, as it was called.
@@ -138,7 +195,14 @@ impl Source {
         };
         let file = self.file(&edits, Some(frame))?;
         let complain = |span: Range<usize>, right: &str| self.complain(span, right, Some(frame));
-        Resolver { complain: &complain, name: &self.path, reach: &self.reach, models: &self.models }.scene(&file)
+        Resolver {
+            complain: &complain,
+            name: &self.home,
+            reach: &self.reach,
+            models: &self.models,
+            pictures: &self.pictures,
+        }
+        .scene(&file)
     }
 
     /// The document with what is set and what a frame changes.

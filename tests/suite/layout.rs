@@ -4,7 +4,7 @@ use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
     self, Canvas, Corner, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path, Piece, Plane,
-    Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
+    Print, Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
 };
 
 /// All tables in one module.
@@ -148,6 +148,7 @@ fn structs_are_the_same() {
         ),
         mirror!(module, Lamp { place, kind, power, lens }),
         mirror!(module, Canvas { eye, lamps, background, specular, ambient, shade, filtering, blur, show, reach }),
+        mirror!(module, Print { width, height, across, down, pitch, transfer, pad }),
         mirror!(module, View { eye, width, right, height, up, grid, back, seed }),
     ];
     let structs = module.types.iter().filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. })).count();
@@ -227,7 +228,9 @@ fn constants_are_the_same() {
         SHOW_DIFFUSE,
         SHOW_SPECULAR,
         SHOW_ID,
-        SHOW_TILES
+        SHOW_TILES,
+        AS_IT_IS,
+        SRGB
     );
     assert_eq!(checked, module.constants.iter().count(), "a constant of wgsl/tables is not checked here");
 }

@@ -143,7 +143,8 @@ fn a_barrier_in_a_branch_is_seen() {
 }
 
 /// Where the twins of a folder of `wgsl/` stand in `src/`.
-const TWINS: [(&str, &str); 5] = [
+const TWINS: [(&str, &str); 6] = [
+    ("film", "cpu/film"),
     ("math", "math"),
     ("raster", "cpu/raster"),
     ("shade", "cpu/shade"),
@@ -186,13 +187,14 @@ fn twins_open_with_the_same_arrow() {
 }
 
 /// The floors: a file may use those below its own, never those above or beside it.
-const FLOORS: [&[&str]; 7] = [
+const FLOORS: [&[&str]; 8] = [
     &["math"],
     &["film", "scene", "tables"],
     &["prepare"],
     &["raster", "trace"],
     &["cpu", "gpu"],
     &["explain", "render"],
+    &["view"],
     &["bin"],
 ];
 

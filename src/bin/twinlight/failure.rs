@@ -26,6 +26,9 @@ pub(crate) enum Failure {
     Explain(#[from] explain::Error),
     #[error("{0}: cannot read the part: {1}")]
     Part(String, std::io::Error),
+    #[cfg(feature = "viewer")]
+    #[error("the window cannot be opened: {0}; `twinlight render SCENE` needs none")]
+    Window(String),
     #[error("{0}")]
     Usage(String),
     #[error(
@@ -52,6 +55,8 @@ impl Failure {
             | Self::Film(film::Error::Ending(_))
             | Self::Render(render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Untold(_)) => 2,
             Self::Film(_) | Self::Stdout(_) => 4,
+            #[cfg(feature = "viewer")]
+            Self::Window(_) => 5,
             Self::Render(render::Error::Gpu(_)) | Self::Gpu(_) => 5,
             // Only who asked for the stop knows why; without a reason it is the deadline's.
             Self::Deadline | Self::Render(render::Error::Stopped) => 7,

@@ -11,7 +11,7 @@ use twinlight::scene::{Method, Reach, Scene, Show, Source};
 pub(crate) use crate::failure::Failure;
 
 /// Where a scene comes from.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct Input {
     /// Put a value into the scene file, in TOML: --set camera.fov=40 --set 'light.point[0].color="#ffcc88"'.
     #[arg(long = "set", value_name = "FIELD=VALUE")]
@@ -36,7 +36,7 @@ impl Input {
 }
 
 /// What of a scene the command line says otherwise.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(crate) struct Job {
     #[command(flatten)]
     pub(crate) input: Input,
@@ -75,6 +75,31 @@ impl Job {
         scene.trace.depth = self.depth.unwrap_or(scene.trace.depth);
         let method = self.method.unwrap_or(scene.method);
         Ok((scene, method))
+    }
+
+    /// The method that is asked for, and what is to be shown.
+    #[cfg(feature = "viewer")]
+    pub(crate) fn asked(&self) -> (Option<Method>, Option<Show>) {
+        (self.method, self.show)
+    }
+
+    /// All else that is asked for, as values put into the scene's file.
+    #[cfg(feature = "viewer")]
+    pub(crate) fn edits(&self) -> Result<Vec<(String, String)>, Failure> {
+        let mut edits = Vec::new();
+        for set in &self.input.sets {
+            let parts = set.split_once('=');
+            let (place, value) =
+                parts.ok_or_else(|| Failure::Usage("what is set is written as camera.fov=40".to_owned()))?;
+            edits.push((place.trim().to_owned(), value.trim().to_owned()));
+        }
+        let mut put =
+            |place: &str, value: Option<String>| edits.extend(value.map(|value| (place.to_owned(), value)));
+        put("film.size", self.size.map(|[width, height]| format!("[{width}, {height}]")));
+        put("trace.samples", self.samples.map(|samples| samples.to_string()));
+        put("raster.samples", self.samples.map(|samples| samples.isqrt().min(16).pow(2).to_string()));
+        put("trace.depth", self.depth.map(|depth| depth.to_string()));
+        Ok(edits)
     }
 
     /// The adapter that is asked for.

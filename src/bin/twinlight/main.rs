@@ -16,6 +16,7 @@ mod plan;
 mod progress;
 mod render;
 mod stop;
+mod view;
 mod writer;
 
 use std::process::ExitCode;
@@ -74,6 +75,11 @@ enum Command {
   twinlight render scenes/room.toml --samples 256 --sample-range 128..256 -o b.part
   twinlight merge a.part b.part -o room.png")]
     Merge(merge::Arguments),
+    /// Look at a scene or a model in a window: by either method, on either backend.
+    ///
+    /// The picture follows the hand; the ray tracer is coarse while the eye moves and refines while it rests. H lists
+    /// the keys. Scenes and models can be dropped on the window.
+    View(Box<view::Arguments>),
     /// Say whether scenes can be rendered, all their frames, without rendering them.
     Check(check::Arguments),
     /// List the adapters, what of their limits matters, and what would be used and why.
@@ -99,6 +105,7 @@ fn main() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Merge(arguments) => merge::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Completions { shell } => completions(shell),
         Command::Info(arguments) => info::run(&arguments),

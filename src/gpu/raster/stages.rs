@@ -310,10 +310,7 @@ impl Raster for GpuRaster<'_> {
         if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {
             return Err(Error::Incomplete(format!("a pixel has {} of {wanted} samples", short[3])));
         }
-        self.record(|this, encoder| {
-            this.sums.clear(encoder);
-            Ok(())
-        })?;
+        self.begin();
         let mut ids = self.seen(image)?.1;
         ids.truncate(pixels);
         Ok((sums, ids))

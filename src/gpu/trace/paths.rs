@@ -59,14 +59,12 @@ impl GpuTrace<'_> {
 
     /// Pixels that have the samples of a run, and get those up to `end`.
     pub(super) fn fresh(&self, run: &Run, end: u32) -> Result<GpuPaths, Error> {
-        let (pixels, next) = (run.pixels.clone(), run.samples.end);
+        let pixels = run.pixels.clone();
         let count = pixels.len();
-        let paths = if next == 0 && run.ended.is_empty() {
+        let paths = if run.samples.end == 0 && run.ended.is_empty() {
             self.gpu.zeroed("paths", count)?
         } else {
-            let sample = |i| if run.has_ended(i) { end } else { next };
-            let path = |i| Path { sample: sample(i), ..Path::zeroed() };
-            self.gpu.upload("paths", &(0..count).map(path).collect::<Vec<_>>())?
+            self.gpu.upload("paths", &idle(run, end))?
         };
         Ok(GpuPaths {
             pixels,
@@ -79,4 +77,19 @@ impl GpuTrace<'_> {
             ended: run.ended.clone(),
         })
     }
+
+    /// The same in the place of pixels that are done with.
+    pub(super) fn again(&self, spare: GpuPaths, run: &Run, end: u32) -> GpuPaths {
+        self.gpu.write(&spare.paths, &idle(run, end));
+        self.gpu.write(&spare.sums, &run.sums);
+        self.gpu.write(&spare.squares, &run.squares);
+        self.gpu.write(&spare.ids, &run.ids);
+        GpuPaths { pixels: run.pixels.clone(), ended: run.ended.clone(), ..spare }
+    }
+}
+
+/// Paths that are idle at the sample that each pixel is to get next.
+fn idle(run: &Run, end: u32) -> Vec<Path> {
+    let sample = |i| if run.has_ended(i) { end } else { run.samples.end };
+    (0..run.pixels.len()).map(|i| Path { sample: sample(i), ..Path::zeroed() }).collect()
 }

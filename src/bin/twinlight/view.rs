@@ -1,0 +1,49 @@
+//! `twinlight view`: a scene -> a window in which one looks at it
+
+#[cfg(feature = "viewer")]
+mod app;
+#[cfg(feature = "viewer")]
+mod hand;
+#[cfg(feature = "viewer")]
+mod out;
+#[cfg(feature = "viewer")]
+mod panels;
+#[cfg(feature = "viewer")]
+mod picture;
+#[cfg(feature = "viewer")]
+mod shell;
+#[cfg(feature = "viewer")]
+mod show;
+#[cfg(feature = "viewer")]
+mod stage;
+#[cfg(feature = "viewer")]
+mod watcher;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use twinlight::render::live::Side;
+
+use crate::job::{Failure, Job};
+
+#[derive(Debug, Clone, clap::Args)]
+pub(crate) struct Arguments {
+    /// The scene file (TOML), or a model (OBJ) that gets a camera, lights and a ground that fit it.
+    pub(crate) scene: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) job: Job,
+    /// Who renders: a key changes it.
+    #[arg(long, default_value = "gpu")]
+    pub(crate) backend: Side,
+}
+
+#[cfg(feature = "viewer")]
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    shell::run(arguments)
+}
+
+#[cfg(not(feature = "viewer"))]
+pub(crate) fn run(_: &Arguments) -> Result<ExitCode, Failure> {
+    let how = "cargo build --release --features viewer, or `cargo view SCENE` in Twinlight's folder";
+    Err(Failure::Usage(format!("this build of Twinlight has no window; one that has is made by {how}")))
+}

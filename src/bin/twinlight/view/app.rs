@@ -1,0 +1,313 @@
+//! the window: what was done in it -> wishes to the worker, and the worker's pictures
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, channel};
+
+use eframe::egui;
+use eframe::egui_wgpu::RenderState;
+use twinlight::gpu::Gpu;
+use twinlight::gpu::wgsl::{FILES, Sources};
+use twinlight::view::desk::Desk;
+use twinlight::view::inspector::{Answer, Inspector, Question};
+use twinlight::view::keys::Command;
+use twinlight::view::worker::{Order, Report, Worker};
+
+use super::out::{self, Full};
+use super::picture::Picture;
+use super::stage::{Beside, Compared};
+use super::watcher::Watcher;
+use super::{Arguments, hand};
+use crate::job::Failure;
+
+/// The window.
+pub(super) struct App {
+    pub(super) arguments: Arguments,
+    pub(super) state: RenderState,
+    pub(super) gpu: Arc<Gpu>,
+    worker: Worker,
+    sources: Arc<Sources>,
+    watcher: Watcher,
+    inspector: Inspector,
+    pub(super) desk: Option<Desk>,
+    pub(super) picture: Picture,
+    pub(super) report: Report,
+    pub(super) compared: Option<Compared>,
+    /// A scene that is being read, and whether it is the one that is there.
+    coming: Option<(bool, Receiver<Result<Desk, String>>)>,
+    pub(super) full: Option<Full>,
+    /// What went wrong, until something goes right.
+    pub(super) error: Option<String>,
+    /// What went right.
+    pub(super) note: Option<String>,
+    /// Pixels that there is room for.
+    pub(super) room: [f32; 2],
+    pub(super) changed: bool,
+    pub(super) panels: bool,
+    /// The search in the list of keys, while it is open.
+    pub(super) help: Option<String>,
+    /// What made a pixel, while that is wanted.
+    pub(super) inspected: Option<([u32; 2], String)>,
+    title: String,
+}
+
+/// Where the kernels lie that can be tried out without building anew.
+const KERNELS: &str = "wgsl";
+
+impl App {
+    pub(super) fn new(cc: &eframe::CreationContext<'_>, arguments: &Arguments) -> Result<Self, Failure> {
+        let state = cc.wgpu_render_state.clone();
+        let state = state.ok_or_else(|| Failure::Window("the window has no GPU device".to_owned()))?;
+        let gpu = Arc::new(Gpu::share(state.adapter.clone(), state.device.clone(), state.queue.clone()));
+        let ctx = &cc.egui_ctx;
+        let wake = || -> Box<dyn Fn() + Send> {
+            let ctx = ctx.clone();
+            Box::new(move || ctx.request_repaint())
+        };
+        let mut app = Self {
+            arguments: arguments.clone(),
+            state,
+            worker: Worker::new(Arc::clone(&gpu), wake()),
+            gpu,
+            sources: Arc::new(Sources::default()),
+            watcher: Watcher::new(ctx),
+            inspector: Inspector::new(wake()),
+            desk: None,
+            picture: Picture::default(),
+            report: Report::default(),
+            compared: None,
+            coming: None,
+            full: None,
+            error: None,
+            note: None,
+            room: [0.0; 2],
+            changed: false,
+            panels: true,
+            help: None,
+            inspected: None,
+            title: String::new(),
+        };
+        if Path::new(KERNELS).join("film/develop.wgsl").is_file() {
+            let files = FILES.iter().map(|(name, _)| Path::new(KERNELS).join(name).with_extension("wgsl"));
+            app.watcher.about_kernels(files.collect());
+        }
+        if let Some(path) = arguments.scene.clone() {
+            app.load(ctx, path, arguments.job.edits()?, false);
+        }
+        Ok(app)
+    }
+
+    /// Reads a scene beside the window.
+    fn load(&mut self, ctx: &egui::Context, path: PathBuf, edits: Vec<(String, String)>, again: bool) {
+        let (tell, told) = channel();
+        let (reach, ctx) = (self.arguments.job.input.reach(), ctx.clone());
+        std::thread::spawn(move || {
+            let read = Desk::open(&path, &edits, &reach).map_err(|error| error.to_string());
+            // The window may be gone.
+            let _ = tell.send(read);
+            ctx.request_repaint();
+        });
+        self.coming = Some((again, told));
+    }
+
+    /// Reads the scene again; what was put in by hand stays.
+    fn reload(&mut self, ctx: &egui::Context) {
+        if let Some(desk) = &self.desk {
+            let (path, edits) = (desk.path().to_owned(), desk.draft().edits().to_vec());
+            self.load(ctx, path, edits, true);
+        } else if let Some(path) = self.arguments.scene.clone() {
+            let edits = self.arguments.job.edits().unwrap_or_default();
+            self.load(ctx, path, edits, false);
+        }
+    }
+
+    /// Takes in what has come from elsewhere: scenes, changed files, dropped files, pictures, answers.
+    fn listen(&mut self, ctx: &egui::Context) {
+        self.watcher.listen(ctx);
+        if self.watcher.scene.settled(std::time::Instant::now()) {
+            self.reload(ctx);
+        }
+        if self.watcher.kernels.settled(std::time::Instant::now()) {
+            match Sources::of_folder(Path::new(KERNELS)) {
+                Ok(sources) => {
+                    self.sources = Arc::new(sources);
+                    self.changed = true;
+                }
+                Err(error) => self.error = Some(format!("{KERNELS}: {error}")),
+            }
+        }
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
+        if let Some(path) = dropped {
+            self.load(ctx, path, Vec::new(), false);
+        }
+        if let Some((again, Ok(read))) = self.coming.as_ref().map(|(again, told)| (*again, told.try_recv())) {
+            self.coming = None;
+            self.arrive(read, again);
+        }
+        while let Some(answer) = self.inspector.answer() {
+            match answer {
+                Answer::Text(pixel, text) if self.inspected.is_some() => self.inspected = Some((pixel, text)),
+                Answer::Point(Some(point)) => {
+                    if let Some(desk) = &mut self.desk {
+                        desk.set_pivot(point);
+                        self.changed = true;
+                    }
+                }
+                _ => {}
+            }
+        }
+        if let Some(end) = self.full.as_ref().and_then(Full::end) {
+            self.full = None;
+            self.say(end);
+        }
+        self.report = self.worker.report();
+        self.picture.take(&self.state, self.report.screen.clone());
+        if let Some(compared) = &mut self.compared {
+            compared.listen(&self.state);
+        }
+    }
+
+    fn arrive(&mut self, read: Result<Desk, String>, again: bool) {
+        match read {
+            Ok(read) => {
+                self.error = None;
+                self.changed = true;
+                let (method, show) = self.arguments.job.asked();
+                match &mut self.desk {
+                    Some(desk) if again => desk.renew(read),
+                    desk => {
+                        let mut read = read.with(method, self.arguments.backend);
+                        if let Some(show) = show {
+                            read.obey(Command::Show(show));
+                        }
+                        *desk = Some(read);
+                    }
+                }
+                if let Some(desk) = &self.desk {
+                    self.watcher.about_scene(desk.files());
+                }
+            }
+            Err(error) => self.error = Some(error),
+        }
+    }
+
+    pub(super) fn say(&mut self, what: Result<String, String>) {
+        match what {
+            Ok(note) => (self.note, self.error) = (Some(note), None),
+            Err(error) => self.error = Some(error),
+        }
+    }
+
+    pub(super) fn obey(&mut self, ctx: &egui::Context, command: Command) {
+        match command {
+            Command::Help => self.help = if self.help.is_some() { None } else { Some(String::new()) },
+            Command::Panels => self.panels = !self.panels,
+            Command::Reload => self.reload(ctx),
+            Command::Inspect => {
+                self.inspected = if self.inspected.is_some() { None } else { Some(([0; 2], String::new())) };
+            }
+            Command::Cancel => {
+                if let Some(full) = &self.full {
+                    full.cancel();
+                } else if self.help.take().is_none() && self.inspected.take().is_none() {
+                    self.compared = None;
+                }
+            }
+            Command::Compare => {
+                let beside = self.compared.as_ref().map_or(Beside::Nothing, |compared| compared.beside).next();
+                self.compared = (beside != Beside::Nothing).then(|| Compared::new(&self.gpu, ctx, beside));
+                self.changed = true;
+            }
+            Command::Difference => {
+                if let Some(compared) = &mut self.compared {
+                    compared.difference = !compared.difference;
+                }
+            }
+            command => self.obey_about_scene(ctx, command),
+        }
+    }
+
+    fn obey_about_scene(&mut self, ctx: &egui::Context, command: Command) {
+        let Some(desk) = &mut self.desk else { return };
+        match command {
+            Command::Save => {
+                let saved = desk.save().map(|file| format!("{} is saved", file.display()));
+                self.say(saved);
+            }
+            Command::CopyCamera => {
+                ctx.copy_text(desk.camera_toml());
+                self.say(Ok("the camera is in the clipboard".to_owned()));
+            }
+            Command::PasteCamera => {
+                let pasted = ctx.input(|input| {
+                    let texts = input.raw.events.iter().filter_map(|event| match event {
+                        egui::Event::Paste(text) => Some(text.clone()),
+                        _ => None,
+                    });
+                    texts.last()
+                });
+                let pasted = pasted.map_or(Ok(()), |text| desk.paste_camera(&text));
+                self.changed = true;
+                self.say(pasted.map(|()| "the camera comes from the clipboard".to_owned()));
+            }
+            Command::Screenshot | Command::CopyPicture => {
+                let Some(screen) = self.picture.screen() else { return };
+                let done = match command {
+                    Command::Screenshot => out::screenshot(desk, &self.gpu, screen),
+                    _ => out::copy(ctx, &self.gpu, screen),
+                };
+                self.say(done);
+            }
+            Command::Render if self.full.is_none() => {
+                let job = &self.arguments.job;
+                self.full = Some(Full::new(ctx, desk, job.wanted(), job.input.reach()));
+            }
+            command => {
+                desk.obey(command);
+                self.changed = true;
+            }
+        }
+    }
+
+    /// Asks for the picture as it is to be now.
+    pub(super) fn ask(&mut self) {
+        let Some(desk) = &self.desk else { return };
+        let reach = self.arguments.job.input.reach();
+        let order = Order { wish: desk.wish(self.room), sources: Arc::clone(&self.sources), reach };
+        if let Some(compared) = &self.compared {
+            compared.ask(&order);
+        }
+        self.worker.ask(order);
+    }
+
+    /// The window's title says what is seen, and whether it is still being made.
+    fn entitle(&mut self, ctx: &egui::Context) {
+        let name =
+            self.desk.as_ref().and_then(|desk| desk.path().file_name()).unwrap_or_default().to_string_lossy();
+        let work = if self.report.busy || self.coming.is_some() { " (at work)" } else { "" };
+        let title = format!("{name} - Twinlight{work}");
+        if title != self.title {
+            ctx.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    /// Asks about a pixel.
+    pub(super) fn question(&self, pixel: [u32; 2], point: bool) {
+        let Some(desk) = &self.desk else { return };
+        let wish = desk.wish(self.room);
+        self.inspector.ask(Question { scene: wish.scene, method: wish.method, pixel, point });
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
+        let ctx = ui.ctx().clone();
+        self.listen(&ctx);
+        for command in hand::commands(&ctx) {
+            self.obey(&ctx, command);
+        }
+        self.show(ui);
+        self.entitle(&ctx);
+    }
+}

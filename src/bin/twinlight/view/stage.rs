@@ -1,0 +1,153 @@
+//! the picture, as large as there is room, and another beside it
+
+use std::sync::Arc;
+
+use eframe::egui::{self, Color32};
+use eframe::egui_wgpu::RenderState;
+use twinlight::film::compare::Standard;
+use twinlight::gpu::{Gpu, Screen};
+use twinlight::render::live::{Side, Wish};
+use twinlight::scene::Method;
+use twinlight::view::difference::difference;
+use twinlight::view::worker::{Order, Report, Worker};
+
+use super::picture::Picture;
+
+/// What stands beside the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Beside {
+    #[default]
+    Nothing,
+    /// The same by the other backend.
+    Side,
+    /// The same by the other method.
+    Method,
+}
+
+impl Beside {
+    pub(super) fn next(self) -> Self {
+        match self {
+            Self::Nothing => Self::Side,
+            Self::Side => Self::Method,
+            Self::Method => Self::Nothing,
+        }
+    }
+
+    /// The wish for what stands beside another.
+    fn of(self, wish: &Wish) -> Wish {
+        let mut other = wish.clone();
+        match self {
+            Self::Side => other.side = if wish.side == Side::Gpu { Side::Cpu } else { Side::Gpu },
+            Self::Method => {
+                other.method = if wish.method == Method::Raster { Method::Trace } else { Method::Raster };
+            }
+            Self::Nothing => {}
+        }
+        other
+    }
+
+    fn names(self, wish: &Wish) -> [String; 2] {
+        let name = |wish: &Wish| match self {
+            Self::Method => format!("{:?}", wish.method),
+            _ => format!("{:?}", wish.side).to_uppercase(),
+        };
+        [name(wish), name(&self.of(wish))]
+    }
+}
+
+/// The other picture, and how the two are shown.
+pub(super) struct Compared {
+    pub(super) beside: Beside,
+    worker: Worker,
+    report: Report,
+    picture: Picture,
+    /// Where the one ends and the other begins.
+    wipe: f32,
+    /// Whether their difference is shown instead.
+    pub(super) difference: bool,
+    /// The difference of which two pictures it is, and what is said of it.
+    found: Option<([u64; 2], egui::TextureHandle, String)>,
+}
+
+impl Compared {
+    pub(super) fn new(gpu: &Arc<Gpu>, ctx: &egui::Context, beside: Beside) -> Self {
+        let ctx = ctx.clone();
+        let worker = Worker::new(Arc::clone(gpu), Box::new(move || ctx.request_repaint()));
+        let (report, picture) = (Report::default(), Picture::default());
+        Self { beside, worker, report, picture, wipe: 0.5, difference: false, found: None }
+    }
+
+    pub(super) fn ask(&self, order: &Order) {
+        self.worker.ask(Order { wish: self.beside.of(&order.wish), ..order.clone() });
+    }
+
+    pub(super) fn listen(&mut self, state: &RenderState) {
+        self.report = self.worker.report();
+        self.picture.take(state, self.report.screen.clone());
+    }
+
+    /// Draws the other picture right of the wipe, or the difference over all.
+    pub(super) fn draw(&mut self, ui: &mut egui::Ui, rect: egui::Rect, wish: &Wish, own: &Report, gpu: &Gpu) {
+        let alone = ui.input(|input| input.key_down(egui::Key::Space));
+        if self.difference {
+            self.find(ui.ctx(), own, gpu);
+            if let Some((_, texture, words)) = &self.found {
+                let whole = egui::Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
+                ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
+                tag(ui, rect.left_top(), egui::Align2::LEFT_TOP, words);
+            }
+            return;
+        }
+        let at = if alone { rect.left() } else { rect.left() + rect.width() * self.wipe };
+        let right = egui::Rect::from_min_max(egui::pos2(at, rect.top()), rect.max);
+        self.picture.draw(&ui.painter().with_clip_rect(right.intersect(ui.clip_rect())), rect);
+        if let Some(error) = &self.report.error {
+            tag(ui, right.center_top(), egui::Align2::CENTER_TOP, error);
+        }
+        let [one, other] = self.beside.names(wish);
+        tag(ui, rect.right_top(), egui::Align2::RIGHT_TOP, &other);
+        if alone {
+            return;
+        }
+        tag(ui, rect.left_top(), egui::Align2::LEFT_TOP, &one);
+        let handle = egui::Rect::from_center_size(egui::pos2(at, rect.center().y), egui::vec2(12.0, rect.height()));
+        let grip = ui.interact(handle, ui.scope_id().with("wipe"), egui::Sense::drag());
+        grip.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::Slider, true, "where one picture ends and the other begins")
+        });
+        self.wipe = (self.wipe + grip.drag_delta().x / rect.width()).clamp(0.0, 1.0);
+        ui.painter().vline(at, rect.y_range(), egui::Stroke::new(2.0, Color32::WHITE));
+        if grip.hovered() || grip.dragged() {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
+        }
+    }
+
+    fn find(&mut self, ctx: &egui::Context, own: &Report, gpu: &Gpu) {
+        let pictures = [own.pictures, self.report.pictures];
+        if own.busy || self.report.busy || self.found.as_ref().is_some_and(|(of, ..)| *of == pictures) {
+            return;
+        }
+        let (Some(one), Some(other)) = (&own.screen, &self.report.screen) else { return };
+        let read = |screen: &Screen| screen.read(gpu).unwrap_or_default();
+        let standard = if gpu.exact() && self.beside == Beside::Side { Standard::Exact } else { Standard::Near };
+        let Some(found) = difference(one.size(), &read(one), &read(other), standard) else { return };
+        let verdict = if found.passes { "within" } else { "over" };
+        let words = format!(
+            "{} pixels differ, by at most {} of 255: {verdict} the tolerance ({standard:?}); shown 16 times as strong",
+            found.pixels, found.largest
+        );
+        let bytes: Vec<u8> = found.words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let image = egui::ColorImage::from_rgba_unmultiplied(one.size().map(|side| side as usize), &bytes);
+        let texture = ctx.load_texture("difference", image, egui::TextureOptions::NEAREST);
+        self.found = Some((pictures, texture, words));
+    }
+}
+
+/// Words on a picture.
+pub(super) fn tag(ui: &egui::Ui, at: egui::Pos2, align: egui::Align2, words: &str) {
+    let font = egui::FontId::proportional(13.0);
+    let galley = ui.painter().layout(words.to_owned(), font, Color32::WHITE, 600.0);
+    let rect = align.anchor_size(at, galley.size() + egui::vec2(12.0, 6.0));
+    ui.painter().rect_filled(rect, 3.0, Color32::from_black_alpha(170));
+    ui.painter().galley(rect.min + egui::vec2(6.0, 3.0), galley, Color32::WHITE);
+}

@@ -1,0 +1,3 @@
+//! Twins of `wgsl/film`.
+
+pub mod develop;

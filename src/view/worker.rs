@@ -1,0 +1,185 @@
+//! a wish -> pictures of it, made beside the window in portions; a newer wish ends the work on an older one
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use crate::gpu::wgsl::Sources;
+use crate::gpu::{Gpu, Screen};
+use crate::render::live::{Live, Progress, Wish};
+use crate::scene::Reach;
+
+/// What the worker is asked for.
+#[derive(Debug, Clone)]
+pub struct Order {
+    /// What is to be seen.
+    pub wish: Wish,
+    /// Kernels; others than the last ones make everything anew.
+    pub sources: Arc<Sources>,
+    /// What it may take.
+    pub reach: Reach,
+}
+
+/// What the worker says.
+#[derive(Debug, Clone, Default)]
+pub struct Report {
+    /// The last good picture.
+    pub screen: Option<Arc<Screen>>,
+    /// How far it is.
+    pub progress: Progress,
+    /// Pictures that were shown, all in all.
+    pub pictures: u64,
+    /// From a wish to its first picture.
+    pub first: Duration,
+    /// Of the last picture.
+    pub took: Duration,
+    /// Why there is no picture of the last wish.
+    pub error: Option<String>,
+    /// Whether it is at work.
+    pub busy: bool,
+}
+
+#[derive(Debug, Default)]
+struct Desk {
+    order: Option<Order>,
+    report: Report,
+    over: bool,
+}
+
+#[derive(Debug, Default)]
+struct Shared {
+    desk: Mutex<Desk>,
+    bell: Condvar,
+}
+
+impl Shared {
+    fn desk(&self) -> MutexGuard<'_, Desk> {
+        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// One who makes pictures beside the window.
+#[derive(Debug)]
+pub struct Worker {
+    shared: Arc<Shared>,
+}
+
+/// Called whenever there is something new to see.
+pub type Wake = Box<dyn Fn() + Send>;
+
+impl Worker {
+    /// Begins to wait for orders.
+    #[must_use]
+    pub fn new(gpu: Arc<Gpu>, wake: Wake) -> Self {
+        let shared = Arc::new(Shared::default());
+        let theirs = Arc::clone(&shared);
+        std::thread::spawn(move || {
+            while !theirs.desk().over {
+                // What panics here has its sentence in the report, and the window stays.
+                let work = catch_unwind(AssertUnwindSafe(|| work(&theirs, &gpu, &wake)));
+                if work.is_err() {
+                    theirs.desk().report.error =
+                        Some("the picture could not be made: a fault of Twinlight's".to_owned());
+                    wake();
+                }
+            }
+        });
+        Self { shared }
+    }
+
+    /// Asks for something; what was asked for before is dropped.
+    pub fn ask(&self, order: Order) {
+        self.shared.desk().order = Some(order);
+        self.shared.bell.notify_one();
+    }
+
+    /// What there is to say.
+    #[must_use]
+    pub fn report(&self) -> Report {
+        self.shared.desk().report.clone()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.shared.desk().over = true;
+        self.shared.bell.notify_one();
+    }
+}
+
+/// Waits for an order while there is nothing to do; whether the window is still there.
+fn next(shared: &Shared, idle: bool, order: &mut Option<Order>) -> bool {
+    let mut desk = shared.desk();
+    while idle && desk.order.is_none() && !desk.over {
+        desk = shared.bell.wait(desk).unwrap_or_else(PoisonError::into_inner);
+    }
+    *order = desk.order.take();
+    !desk.over
+}
+
+fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
+    let mut live: Option<Live<'_>> = None;
+    let mut sources = Arc::new(Sources::default());
+    let mut screen: Option<Arc<Screen>> = None;
+    let (mut asked, mut first) = (Instant::now(), true);
+    let mut last = Instant::now();
+    let mut size = [1; 2];
+    loop {
+        let idle = live.as_ref().is_none_or(Live::done);
+        if idle {
+            shared.desk().report.busy = false;
+            wake();
+        }
+        let mut order = None;
+        if !next(shared, idle, &mut order) {
+            return;
+        }
+        let stepped = (|| {
+            if let Some(order) = order {
+                shared.desk().report.busy = true;
+                (asked, first, last) = (Instant::now(), true, Instant::now());
+                size = order.wish.scene.film.size;
+                let same = Arc::ptr_eq(&sources, &order.sources);
+                let aimed = same && live.as_mut().map_or(Ok(false), |live| live.aim(&order.wish))?;
+                if !aimed {
+                    // What is large is given back before its like is taken; what is shown stays the window's.
+                    live = None;
+                    if !same {
+                        screen = None;
+                    }
+                    sources = order.sources;
+                    live = Some(Live::new(gpu, &sources, order.wish, &order.reach)?);
+                }
+            }
+            let Some(live) = &mut live else { return Ok(()) };
+            if !live.step()? {
+                return Ok(());
+            }
+            if screen.as_ref().is_none_or(|screen| screen.size() != size) {
+                screen = Some(Arc::new(Screen::new(gpu, &sources, size)?));
+            }
+            if let Some(screen) = &screen {
+                live.show(screen)?;
+            }
+            let mut desk = shared.desk();
+            let report = &mut desk.report;
+            report.screen.clone_from(&screen);
+            report.progress = live.progress();
+            report.pictures += 1;
+            report.took = last.elapsed();
+            report.error = None;
+            last = Instant::now();
+            if std::mem::take(&mut first) {
+                report.first = asked.elapsed();
+            }
+            drop(desk);
+            wake();
+            Ok::<(), crate::render::Error>(())
+        })();
+        if let Err(error) = stepped {
+            live = None;
+            shared.desk().report.error = Some(error.to_string());
+            wake();
+        }
+    }
+}

@@ -1,0 +1,115 @@
+//! The kept scene of the preview: what stands still at last is what a frame made at once is, to the bit.
+
+use twinlight::cpu::film::develop::develop;
+use twinlight::film::Transfer;
+use twinlight::gpu::wgsl::Sources;
+use twinlight::gpu::{Gpu, Screen, Wanted};
+use twinlight::render::live::{Live, Side, Wish};
+use twinlight::render::{Backend, Renderer};
+use twinlight::scene::{Method, Reach, Scene};
+use twinlight::view::desk::{Desk, Hand};
+use twinlight::view::keys::Command;
+
+use super::{gpu, root, small};
+
+/// The picture that `twinlight render` makes on the CPU.
+fn words(scene: &Scene, method: Method) -> Vec<u32> {
+    let mut renderer = Renderer::open(Backend::Cpu, &Wanted::Software).expect("a CPU");
+    let film = renderer.render(scene, method, &mut |_| ()).expect("a picture").film;
+    let picture = film.to_rgb8(scene.film.transfer);
+    picture.pixels().map(|p| u32::from_le_bytes([p[0], p[1], p[2], 255])).collect()
+}
+
+/// The last picture of a wish.
+fn last(gpu: &Gpu, live: &mut Live<'_>, size: [u32; 2]) -> Vec<u32> {
+    let screen = Screen::new(gpu, &Sources::default(), size).expect("a screen");
+    let mut steps = 0;
+    while !live.done() {
+        if live.step().expect("work that is done") {
+            live.show(&screen).expect("a picture");
+        }
+        steps += 1;
+        assert!(steps < 100_000, "it never ends");
+    }
+    screen.read(gpu).expect("the picture")
+}
+
+fn open<'g>(gpu: &'g Gpu, wish: &Wish) -> Live<'g> {
+    Live::new(gpu, &Sources::default(), wish.clone(), &Reach::default()).expect("a scene that is ready")
+}
+
+#[test]
+fn what_stands_still_is_what_is_rendered() {
+    let gpu = gpu();
+    for name in ["room", "room-diffuse", "pyramid", "bust", "bust-point"] {
+        let scene = small(name, [61, 47], 4);
+        let expected = words(&scene, scene.method);
+        for side in [Side::Gpu, Side::Cpu] {
+            let wish = Wish { method: scene.method, scene: scene.clone(), side, moving: false };
+            let got = last(&gpu, &mut open(&gpu, &wish), [61, 47]);
+            assert!(got == expected, "{name} on the {side:?}");
+        }
+    }
+    assert_eq!(gpu.complaint(), None, "wgpu complained");
+}
+
+#[test]
+fn a_kept_scene_is_as_good_as_a_new_one() {
+    let gpu = gpu();
+    for (name, method) in [("bust", Method::Raster), ("room", Method::Trace), ("room", Method::Raster)] {
+        let edits = [("film.size", "[61, 47]"), ("trace.samples", "4"), ("raster.shadow_size", "256")];
+        let edits = edits.map(|(place, value)| (place.to_owned(), value.to_owned()));
+        for side in [Side::Gpu, Side::Cpu] {
+            let path = root().join(format!("scenes/{name}.toml"));
+            let desk = Desk::open(&path, &edits, &Reach::default()).unwrap_or_else(|e| panic!("{e}"));
+            let mut desk = desk.with(Some(method), side);
+            let mut live = open(&gpu, &desk.wish([61.0, 47.0]));
+            let drag = |x, y| Hand::Orbit(glam::Vec2::new(x, y));
+            for (hand, still) in [(drag(0.1, 0.02), false), (drag(-0.3, 0.1), false), (drag(0.05, 0.0), true)] {
+                desk.hand(hand);
+                if still {
+                    desk.let_go();
+                }
+                assert!(live.aim(&desk.wish([61.0, 47.0])).expect("an eye"), "only the eye has moved");
+                live.step().expect("a first picture");
+            }
+            let wish = desk.wish([61.0, 47.0]);
+            let got = last(&gpu, &mut live, [61, 47]);
+            assert!(got == words(&wish.scene, method), "{name} {method:?} on the {side:?}");
+            desk.obey(Command::SwitchSide);
+            assert!(!live.aim(&desk.wish([61.0, 47.0])).expect("an order"), "another backend is another matter");
+        }
+    }
+}
+
+#[test]
+fn long_frames_grow_block_by_block() {
+    let gpu = gpu();
+    let mut scene = small("room-diffuse", [17, 13], 150);
+    scene.trace.depth = 3;
+    let expected = words(&scene, Method::Trace);
+    for side in [Side::Gpu, Side::Cpu] {
+        let wish = Wish { method: Method::Trace, scene: scene.clone(), side, moving: false };
+        assert!(last(&gpu, &mut open(&gpu, &wish), [17, 13]) == expected, "{side:?}");
+    }
+}
+
+/// The numbers of a film, some of them no numbers at all, on both sides.
+#[test]
+fn a_film_is_developed_alike() {
+    let gpu = gpu();
+    let numbers = [0.0, -1.0, 0.003, 0.0031308, 0.2, 0.5, 0.999, 1.0, 7.0, f32::NAN, f32::INFINITY, 1e-30];
+    let sums: Vec<[f32; 4]> = (0..600_usize)
+        .map(|i| [numbers[i % 12], numbers[i / 12 % 12], (i as f32 / 599.0).powi(3), [0.0, 1.0, 3.0, 16.0][i % 4]])
+        .collect();
+    for transfer in [Transfer::Srgb, Transfer::None] {
+        for size in [[30, 20], [61, 47], [7, 3]] {
+            let screen = Screen::new(&gpu, &Sources::default(), size).expect("a screen");
+            let print = screen.print([30, 20], transfer);
+            screen.develop(&gpu, &print, &gpu.upload("sums", &sums).expect("room")).expect("a picture");
+            let by_kernel = screen.read(&gpu).expect("the picture");
+            screen.put(&gpu, &develop(&print, &sums)).expect("a picture");
+            assert!(by_kernel == screen.read(&gpu).expect("the picture"), "{transfer:?} {size:?}");
+        }
+    }
+}
