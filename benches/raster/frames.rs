@@ -85,10 +85,9 @@ pub(crate) fn whole(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
         let ids = ours.seen(&image).expect("ids");
         let sums: Vec<[f32; 4]> = ours.sums().expect("colors");
         let colors = peer.colors();
-        let alike = sums
-            .iter()
-            .zip(&colors)
-            .filter(|(ours, theirs)| ours[..3].iter().zip(&theirs[..3]).all(|(o, t)| (o - t).abs() < 0.02));
+        let alike = sums.iter().zip(&colors).filter(|(ours, theirs)| {
+            ours[..3].iter().zip(&theirs[..3]).all(|(o, t)| (o / ours[3] - t).abs() < 0.02)
+        });
         let alike = alike.count() as f64 / sums.len() as f64;
         let drawn = ids.0.iter().filter(|depth| **depth != NO_DEPTH).count() as f64 / sums.len() as f64;
         let [theirs, took] = times.map(median);
