@@ -46,7 +46,8 @@ pub fn encode(film: &Film, layers: &[Layer], known_by: &str) -> Result<Vec<u8>, 
 }
 
 /// What a file is known by, from its first bytes.
-pub(super) fn stamp_in(head: &[u8]) -> Option<String> {
+#[must_use]
+pub fn stamp_in(head: &[u8]) -> Option<String> {
     let about = exr::meta::MetaData::read_from_buffered(head, false).ok()?;
     let attributes = &about.headers.first()?.own_attributes.other;
     match attributes.get(&Text::from(stamp::NAME))? {

@@ -3,9 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use twinlight::scene::model::texture::decode;
-use twinlight::scene::model::{Budget, Limits, Warnings, mtl, read_text};
-
+use crate::parsers;
 use crate::pictures::{jpeg, png, tga};
 
 /// xorshift64 (Marsaglia 2003).
@@ -111,10 +109,6 @@ fn hunt(seeds: &[Vec<u8>], mut seed: u64, target: impl Fn(&[u8]) -> bool) -> (u6
     (count, accepted)
 }
 
-fn small() -> Limits {
-    Limits { line_bytes: 4096, obj_bytes: 1 << 20, texture_bytes: 4 << 20, memory: 64 << 20, ..Limits::default() }
-}
-
 #[test]
 fn obj_texts() {
     let seeds: [&[u8]; 4] = [
@@ -124,11 +118,7 @@ fn obj_texts() {
         b"v 0 0 0\nv 3 0 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8\nf 8 7 6 5 4 3 2 1\n",
     ];
     let seeds = seeds.map(<[u8]>::to_vec);
-    let (count, accepted) = hunt(&seeds, 0x0B5, |input| {
-        let Ok(model) = read_text(input, "m.obj", &small()) else { return false };
-        crate::scratch::check_promises(&model);
-        true
-    });
+    let (count, accepted) = hunt(&seeds, 0x0B5, parsers::obj);
     println!("{count} OBJ texts, {accepted} accepted");
     assert!(count > 500 && accepted * 10 > count && accepted < count, "{count} {accepted}");
 }
@@ -140,14 +130,7 @@ fn mtl_texts() {
         b"newmtl b\nKd spectral f.rfl 1\nKs xyz 1 1 1\nd -halo 0.5\nnorm \"n n.png\"\nmap_Ks x.png -clamp on -mm 0 1\nmap_d -imfchan m d.tga\n",
     ];
     let seeds = seeds.map(<[u8]>::to_vec);
-    let (count, accepted) = hunt(&seeds, 0x317, |input| {
-        let list = mtl::parse(input, "m.mtl", &small(), &mut Warnings::default());
-        for written in &list {
-            assert!(written.material.diffuse.is_finite() && written.material.exponent >= 0.0);
-            assert!(written.maps.iter().all(|asked| !asked.name.is_empty() && asked.scale.is_finite()));
-        }
-        !list.is_empty()
-    });
+    let (count, accepted) = hunt(&seeds, 0x317, parsers::mtl);
     println!("{count} MTL texts, {accepted} accepted");
     assert!(count > 500 && accepted * 2 > count && accepted < count, "{count} {accepted}");
 }
@@ -156,14 +139,7 @@ fn mtl_texts() {
 fn picture_files() {
     let runs = [0x82, 3, 2, 1, 2, 1, 2, 3, 4, 5, 6, 7, 8, 9];
     let seeds = [png(9, 5, |x, y| [x as u8, y as u8, 9, 200]), jpeg(), tga(2, 0, &[7; 18]), tga(10, 0x20, &runs)];
-    let (count, accepted) = hunt(&seeds, 0x717, |input| {
-        let limits = small();
-        let picture = decode(input, "p.tga", &limits, &mut Budget::new(&limits));
-        picture.is_ok_and(|picture| {
-            assert_eq!(picture.texels.len(), picture.width as usize * picture.height as usize);
-            true
-        })
-    });
+    let (count, accepted) = hunt(&seeds, 0x717, parsers::picture);
     println!("{count} pictures, {accepted} accepted");
     assert!(count > 500 && accepted * 50 > count && accepted < count, "{count} {accepted}");
 }

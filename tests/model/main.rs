@@ -23,6 +23,9 @@ mod good;
 mod hostile;
 mod materials;
 mod oracle;
+#[path = "../fuzz/parsers.rs"]
+#[allow(dead_code, unreachable_pub, reason = "other tests and targets ask for the rest")]
+mod parsers;
 mod pictures;
 mod polygons;
 mod scratch;

@@ -5,6 +5,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 use twinlight::scene::model::{Confined, Error, Limits, Model, read_model};
 
+pub use crate::parsers::promises as check_promises;
+
 /// A folder that lives as long as this.
 pub struct Scratch(pub PathBuf);
 
@@ -48,44 +50,4 @@ pub fn read(obj: impl AsRef<[u8]>) -> Result<Model, Error> {
 
 pub fn warnings(model: &Model) -> Vec<String> {
     model.warnings.iter().map(ToString::to_string).collect()
-}
-
-/// What [`Model`] promises to whoever indexes without looking.
-pub fn check_promises(model: &Model) {
-    let inside = |index: u32, count: usize| (index as usize) < count;
-    assert!(!model.triangles.is_empty());
-    for triangle in &model.triangles {
-        assert!(inside(triangle.material, model.materials.len()));
-        assert!(inside(triangle.group, model.groups.len()));
-        for corner in triangle.corners {
-            assert!(inside(corner.position, model.positions.len()));
-            assert!(inside(corner.normal, model.normals.len()));
-            assert!(corner.uv == twinlight::scene::model::NONE || inside(corner.uv, model.uvs.len()));
-        }
-    }
-    assert!(model.positions.iter().all(|position| position.is_finite()));
-    assert!(model.uvs.iter().all(|uv| uv.is_finite()));
-    assert!(model.normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-6));
-    for material in &model.materials {
-        let colors = [material.ambient, material.diffuse, material.specular, material.emission];
-        assert!(colors.iter().all(|color| color.is_finite() && color.min_element() >= 0.0));
-        assert!(material.exponent.is_finite() && material.exponent >= 0.0);
-        assert!((0.0..=1.0).contains(&material.opacity));
-        let maps = [
-            material.diffuse_map,
-            material.specular_map,
-            material.exponent_map,
-            material.opacity_map,
-            material.normal_map,
-        ];
-        for map in maps.into_iter().flatten() {
-            assert!(inside(map.texture, model.textures.len()));
-            assert!(map.scale.is_finite() && map.offset.is_finite() && map.strength.is_finite());
-        }
-    }
-    for texture in &model.textures {
-        assert_eq!(texture.texels.len(), texture.width as usize * texture.height as usize);
-        assert!(!texture.texels.is_empty());
-    }
-    assert!(model.warnings.len() <= twinlight::scene::model::Warnings::MOST);
 }

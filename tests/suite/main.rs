@@ -24,6 +24,9 @@ mod loops;
 mod maps;
 mod mutants;
 mod oracle;
+#[path = "../fuzz/parsers.rs"]
+#[allow(dead_code, unreachable_pub, reason = "other tests and targets ask for the rest")]
+mod parsers;
 mod parts;
 mod quotient;
 mod raster_exact;
