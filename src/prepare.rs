@@ -4,6 +4,7 @@ pub mod bvh;
 mod draw;
 mod leaves;
 pub mod lens;
+mod levels;
 mod mesh;
 mod window;
 

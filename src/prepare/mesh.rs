@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 
 use glam::{Vec2, Vec3};
-use rayon::prelude::*;
 
+use super::levels::{count, levels};
 use crate::film::Transfer;
 use crate::math::vector::unit;
-use crate::scene::model::{self, Content, Model};
+use crate::scene::model::{self, Model};
 use crate::scene::{Material, Mesh, Scene};
 use crate::tables::{CUT_OUT, Face, Map, NONE, ONE_SIDED, Paint, Vertex};
 
@@ -82,41 +82,11 @@ impl Sheet {
         }
     }
 
-    /// Every level of a picture, each texel the mean of four of the level before, in linear light.
+    /// Every level of a picture.
     fn texture(&mut self, texture: &model::Texture, transfer: Transfer) -> Map {
-        let transfer = if texture.content == Content::Color { transfer } else { Transfer::None };
-        let curve: Vec<f32> = (0..=255).map(|byte| transfer.decode(byte)).collect();
-        let (mut width, mut height) = (texture.width, texture.height);
         let first = self.texels.len() as u32;
-        let mut level: Vec<[u8; 4]> = texture.texels.to_vec();
-        // Opacity is in alpha, or else in red.
-        if texture.content == Content::Scalar && !texture.has_alpha {
-            for texel in &mut level {
-                texel[3] = texel[0];
-            }
-        }
-        let mut levels = 1;
-        loop {
-            self.texels.extend(level.iter().map(|t| u32::from_le_bytes(*t)));
-            if width <= 1 && height <= 1 {
-                break;
-            }
-            let (wide, high) = ((width / 2).max(1), (height / 2).max(1));
-            let at = |x: u32, y: u32| level[(y.min(height - 1) * width + x.min(width - 1)) as usize];
-            let mean = |x: u32, y: u32| {
-                let four = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)];
-                std::array::from_fn(|i| {
-                    let sum: f32 = four.iter().map(|t| curve[t[i] as usize]).sum();
-                    transfer.encode(sum * 0.25)
-                })
-            };
-            // Half of the time that a frame of a turntable takes on the host, if it is done on one core.
-            let next = (0..wide * high).into_par_iter().map(|i| mean(i % wide * 2, i / wide * 2));
-            level = next.collect();
-            (width, height) = (wide, high);
-            levels += 1;
-        }
-        Map { first, width: texture.width, height: texture.height, levels, ..BARE }
+        self.texels.extend_from_slice(&levels(texture, transfer));
+        Map { first, width: texture.width, height: texture.height, levels: count(texture), ..BARE }
     }
 
     pub(super) fn spheres(&mut self, scene: &Scene) {

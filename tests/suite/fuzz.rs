@@ -134,7 +134,7 @@ fn no_file_of_our_own_makes_it_panic_when_it_is_bent() {
         to: 2,
     };
     let mut run = Run::new(0..6, 0);
-    run.add(2, &[[1.0; 4]; 6], &[7; 6]);
+    run.add(2, &[[1.0; 4]; 6], &[0.5; 6], &[7; 6]);
     let part = written(&subject, &[run]);
     let picture = exr::encode(&Film::new(3, 2), &[], "stamp").expect("a picture");
     for (name, seed, takes) in
