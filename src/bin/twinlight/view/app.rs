@@ -240,11 +240,11 @@ impl App {
             }
             Command::PasteCamera => {
                 let pasted = ctx.input(|input| {
-                    let texts = input.raw.events.iter().filter_map(|event| match event {
+                    let mut texts = input.raw.events.iter().filter_map(|event| match event {
                         egui::Event::Paste(text) => Some(text.clone()),
                         _ => None,
                     });
-                    texts.last()
+                    texts.next_back()
                 });
                 let pasted = pasted.map_or(Ok(()), |text| desk.paste_camera(&text));
                 self.changed = true;

@@ -18,7 +18,7 @@ use twinlight::view::desk::Desk;
 /// The first name of the scene's with a number that no file has yet.
 fn free(stem: &str) -> PathBuf {
     let named = |number: u32| PathBuf::from(format!("{stem}-{number}.png"));
-    (1..).map(named).find(|file| !file.exists()).unwrap_or_default()
+    (1..=u32::MAX).map(named).find(|file| !file.exists()).unwrap_or_default()
 }
 
 fn stem(desk: &Desk) -> String {

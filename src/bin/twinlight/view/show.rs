@@ -8,6 +8,9 @@ use super::app::App;
 use super::stage::tag;
 use super::{hand, panels};
 
+/// Whether a key's command stands in a menu.
+type Among = fn(&Key) -> bool;
+
 impl App {
     pub(super) fn show(&mut self, ui: &mut Ui) {
         egui::Panel::top("menus").show(ui, |ui| self.menus(ui));
@@ -25,7 +28,7 @@ impl App {
     }
 
     fn menus(&mut self, ui: &mut Ui) {
-        let menus: [(&str, fn(&Key) -> bool); 3] = [
+        let menus: [(&str, Among); 3] = [
             ("Show", |key| matches!(key.command, Command::Show(_))),
             ("Look", |key| {
                 use Command::{CopyCamera, FrameAll, From, PasteCamera, Redo, Reset, Undo};
@@ -90,7 +93,9 @@ impl App {
         let moves = hand::moves(ui, &response);
         let resting = ui.input(|input| !input.pointer.any_down() && input.smooth_scroll_delta().y == 0.0);
         self.changed |= !moves.is_empty() || room != self.room || (resting && desk.held());
-        moves.into_iter().for_each(|hand| desk.hand(hand));
+        for hand in moves {
+            desk.hand(hand);
+        }
         if resting {
             desk.let_go();
         }
