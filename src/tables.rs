@@ -197,6 +197,12 @@ impl Drawing {
         to(bytemuck::cast_slice(texels));
     }
 
+    /// Whether any face is cut out.
+    #[must_use]
+    pub fn laced(&self) -> bool {
+        self.faces.iter().any(|face| face.paint & CUT_OUT != 0)
+    }
+
     /// Words of all the lights' depths.
     #[must_use]
     pub fn shadow_words(&self) -> usize {

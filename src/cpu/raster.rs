@@ -32,7 +32,7 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use rayon::prelude::*;
 
 use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{CUT_OUT, Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -56,6 +56,7 @@ impl Image {
 #[derive(Debug)]
 pub struct CpuRaster<'a> {
     drawing: &'a Drawing,
+    laced: bool,
     /// Of [`Raster::project`].
     pub corners: Vec<Corner>,
     /// Of [`Raster::split`], in order.
@@ -87,6 +88,7 @@ impl<'a> CpuRaster<'a> {
     pub fn new(drawing: &'a Drawing) -> Self {
         Self {
             drawing,
+            laced: drawing.laced(),
             corners: Vec::new(),
             late: Vec::new(),
             pieces: Vec::new(),
@@ -177,7 +179,7 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn laced(&self) -> bool {
-        self.drawing.faces.iter().any(|face| face.paint & CUT_OUT != 0)
+        self.laced
     }
 
     fn lace(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {

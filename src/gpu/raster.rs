@@ -14,7 +14,7 @@ use bytemuck::Zeroable as _;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
-use crate::tables::{CUT_OUT, Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 use part::{Bound, parts};
 
 /// What is nearest, on the device.
@@ -175,8 +175,7 @@ impl<'a> GpuRaster<'a> {
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
         let [pixels, tiles] = sizes(drawing);
         let runs = pixels.div_ceil(kernels.sift.group() as usize);
-        let cut_out = drawing.faces.iter().any(|face| face.paint & CUT_OUT != 0);
-        let laces = cut_out.then(|| {
+        let laces = drawing.laced().then(|| {
             let sources = kernels.sources.clone().for_what("lace");
             let kernel = |name, eye| kernels.variant.kernel(gpu, &sources, name, eye);
             Ok::<_, Error>(Laces {
