@@ -176,7 +176,8 @@ impl<'a> GpuRaster<'a> {
         let [pixels, tiles] = sizes(drawing);
         let runs = pixels.div_ceil(kernels.sift.group() as usize);
         let laces = drawing.laced().then(|| {
-            let sources = kernels.sources.clone().for_what("lace");
+            let sources =
+                kernels.sources.clone().for_what("lace").with_count("filtering", drawing.canvas.filtering);
             let kernel = |name, eye| kernels.variant.kernel(gpu, &sources, name, eye);
             Ok::<_, Error>(Laces {
                 split: [kernel("split", false)?, kernel("split", true)?],

@@ -6,6 +6,7 @@
 mod agree;
 mod analytic;
 mod animation;
+mod branches;
 mod brute;
 mod bvh;
 mod cli;

@@ -11,7 +11,7 @@ use super::{on_cpu, on_gpu, root, small, tables_of};
 /// File, what stands there, what is planted, and the scene that must show it.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("trace/primary", "view.height - 1u - pixel", "pixel", "room"),
-    ("trace/primary", "row * f32(view.grid)", "row", "room"),
+    ("trace/primary", "row * grid", "row", "room"),
     ("trace/cast", "slice.first + i", "slice.first + i + 1u", "room"),
     ("trace/meet", "dot(e, e) - r2", "dot(e, e) - r2 * 1.0001", "room"),
     ("trace/meet", "b > 0.0", "b < 0.0", "room"),
@@ -33,7 +33,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("math/power", "0.69314718", "0.69314", "room"),
     ("math/random", "1664525u", "1664527u", "room-diffuse"),
     ("math/sphere", "1.0 - 2.0 * a", "1.0 - 1.9999 * a", "room-diffuse"),
-    ("shade/phong", "specular == BLINN", "specular != BLINN", "room"),
+    ("shade/phong", "SPECULAR == BLINN", "SPECULAR != BLINN", "room"),
     ("trace/few", "(*path).sample == 0u", "(*path).sample == 1u", "room"),
     ("trace/few", "(*path).depth + 1u", "(*path).depth", "room"),
     ("trace/unrolled", "t < found.t", "t <= found.t * 1.001", "room"),

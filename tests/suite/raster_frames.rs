@@ -173,7 +173,7 @@ fn planted_faults_in_shading_are_seen() {
         ("raster/shadow", "way.y < 0.0", "way.y > 0.0"),
         ("shade/look", "select(1.0, -1.0, turn < 0.0)", "1.0"),
         ("shade/look", "map.xy * paint.bump", "map.xy"),
-        ("shade/look", "paint.specular_map, f", "paint.diffuse_map, f"),
+        ("shade/look", "paint.specular_map, u", "paint.diffuse_map, u"),
         ("raster/shade", "n = -n", "n = n"),
     ];
     let scenes: Vec<_> = (0..12).map(painted).collect();

@@ -39,7 +39,7 @@ const VARIANTS: [(&str, &[&str]); 6] = [
     ("raster/cover", &["eye", "subgroups"]),
 ];
 
-fn kernels() -> Vec<(&'static str, Module, ModuleInfo)> {
+pub(super) fn kernels() -> Vec<(&'static str, Module, ModuleInfo)> {
     let with_entry = FILES.iter().filter(|(_, text)| text.contains("@compute"));
     let with_entry = with_entry.flat_map(|(name, _)| {
         let named = VARIANTS.iter().filter(move |(n, _)| n == name).map(|(_, variant)| *variant);

@@ -68,7 +68,7 @@ fn planted_faults_in_details_are_seen() {
         ("trace/tree", "surface.specular * terms.y", "vec3f(terms.y)"),
         ("trace/scatter", "n = surface.normal;\n    }", "n = surface.shading;\n    }"),
         ("trace/scatter", "root < 0.0 || above", "root < 0.0"),
-        ("shade/look", "paint.specular_map, f", "paint.diffuse_map, f"),
+        ("shade/look", "paint.specular_map, u", "paint.diffuse_map, u"),
         ("shade/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
         ("math/angle", "0.25 - turns", "0.2501 - turns"),
     ];

@@ -12,14 +12,8 @@ const ENDLESS: vec3u = vec3u(0x7f800000u);
 
 fn encode(color: f32) -> u32 {
     let c = clamp(color, 0.0, 1.0);
-    var shown = c;
-    if (print.transfer == SRGB) {
-        if (c <= 0.0031308) {
-            shown = c * 12.92;
-        } else {
-            shown = 1.055 * power(c, 1.0 / 2.4) - 0.055;
-        }
-    }
+    let curved = select(1.055 * power(c, 1.0 / 2.4) - 0.055, c * 12.92, c <= 0.0031308);
+    let shown = select(c, curved, print.transfer == SRGB);
     return u32(shown * 255.0 + 0.5);
 }
 

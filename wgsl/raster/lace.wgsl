@@ -6,7 +6,6 @@
 #import "tables/settings.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
-@group(0) @binding(1) var<uniform> canvas: Canvas;
 @group(0) @binding(2) var<uniform> part: Part;
 @group(0) @binding(3) var<storage, read> pieces: array<Piece>;
 @group(0) @binding(4) var<storage, read> starts: array<u32>;
@@ -40,7 +39,7 @@ fn lace_at(i: u32) -> Lace {
 fn stays(l: Lace, pixel: vec2u) -> bool {
     let at = vec2f(vec2u(lens.left, lens.top) % REGION + pixel) + 0.5;
     let w = weights_inside(to_clip(l.a.position), to_clip(l.b.position), to_clip(l.c.position), at);
-    return is_there(l.holes, canvas.filtering, uv_by(w, l.a, l.b, l.c));
+    return is_there(l.holes, uv_by(w, l.a, l.b, l.c));
 }
 
 // One workgroup owns a tile, and each lane a pixel of it.

@@ -18,6 +18,9 @@
 // Red, green, blue and the number of samples in the sum: the proof that the pixel was colored.
 @group(0) @binding(10) var<storage, read_write> sums: array<vec4f>;
 
+const LAMPS: u32 = $lamps;
+const SHOW: u32 = $show;
+
 // Another color for every number.
 fn color_of(id: u32) -> vec3f {
     let bits = id * 2654435769u;
@@ -53,7 +56,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let right = uv_by(weights(ca, cb, cc, at + vec2f(1.0, 0.0)), a, b, c);
     let down = uv_by(weights(ca, cb, cc, at + vec2f(0.0, 1.0)), a, b, c);
 
-    let look = look_of(paint, canvas.filtering, uv, right, down);
+    let look = look_of(paint, uv, right, down);
     let albedo = paint.color * look.color;
     var n = unit(sum_by(w, a.normal, b.normal, c.normal));
     #repeat bumps
@@ -70,23 +73,22 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     var diffuse = vec3f(0.0);
     var specular = vec3f(0.0);
     var open = 0.0;
-    for (var i = 0u; i < canvas.lamps; i++) {
+    for (var i = 0u; i < LAMPS; i++) {
         let lamp = lamp_at(i);
         var l = lamp.place;
         if (lamp.kind == POINT) {
             l = unit(lamp.place - p);
         }
         let share = reaches(lamp, p);
-        open += share / f32(canvas.lamps);
+        open += share / f32(LAMPS);
         if (dot(n, l) > 0.0) {
             let power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
-            let terms = phong(n, l, v, look.exponent, canvas.specular);
+            let terms = phong(n, l, v, look.exponent);
             diffuse += power * terms.x;
             specular += look.specular * power * terms.y;
         }
     }
-    #repeat views
-    switch (canvas.show) {
+    switch (SHOW) {
         case SHOW_DEPTH: { return vec3f(canvas.reach / (canvas.reach + sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x)); }
         case SHOW_SHADOW: { return vec3f(open); }
         case SHOW_NORMAL: { return n * 0.5 + 0.5; }
@@ -96,10 +98,8 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         case SHOW_DIFFUSE: { return diffuse * albedo; }
         case SHOW_SPECULAR: { return specular * albedo; }
         case SHOW_ID: { return color_of(id); }
-        default: {}
+        default: { return (diffuse + specular) * albedo + canvas.ambient; }
     }
-    #end
-    return (diffuse + specular) * albedo + canvas.ambient;
 }
 
 @compute @workgroup_size(64)

@@ -5,6 +5,8 @@
 #import "tables/settings.wgsl"
 #import "raster/snap.wgsl"
 
+const BLUR: i32 = $blur;
+
 // Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
 fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
     if (lamp.kind != POINT) {
@@ -42,15 +44,14 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
     let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
     let depth = u32(min(hold(z / w), 1.0) * f32(DEEP));
-    let blur = i32(canvas.blur);
     var open = 0;
-    for (var j = -blur; j <= blur; j++) {
-        for (var i = -blur; i <= blur; i++) {
+    for (var j = -BLUR; j <= BLUR; j++) {
+        for (var i = -BLUR; i <= BLUR; i++) {
             let at = clamp(row + j, 0, height - 1) * width + clamp(column + i, 0, width - 1);
             if (depth <= NO_DEPTH - shadows[film.z + u32(at)]) {
                 open++;
             }
         }
     }
-    return f32(open) / f32((2 * blur + 1) * (2 * blur + 1));
+    return f32(open) / f32((2 * BLUR + 1) * (2 * BLUR + 1));
 }

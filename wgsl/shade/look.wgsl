@@ -45,26 +45,26 @@ struct Look {
     tangent: vec3f,
 }
 
-fn look_of(paint: Paint, filtering: u32, uv: vec2f, right: vec2f, down: vec2f) -> Look {
+fn look_of(paint: Paint, uv: vec2f, right: vec2f, down: vec2f) -> Look {
     var look = Look(vec3f(1.0), paint.specular, paint.exponent, vec3f(0.0, 0.0, 1.0));
     #repeat colors
     if (paint.diffuse_map.first != NONE) {
-        look.color = sample_map(paint.diffuse_map, filtering, uv, right, down, true);
+        look.color = sample_map(paint.diffuse_map, uv, right, down, true);
     }
     #end
     #repeat gloss
     if (paint.specular_map.first != NONE) {
-        look.specular *= sample_map(paint.specular_map, filtering, uv, right, down, false);
+        look.specular *= sample_map(paint.specular_map, uv, right, down, false);
     }
     #end
     #repeat sharpness
     if (paint.exponent_map.first != NONE) {
-        look.exponent *= sample_map(paint.exponent_map, filtering, uv, right, down, false).x;
+        look.exponent *= sample_map(paint.exponent_map, uv, right, down, false).x;
     }
     #end
     #repeat bumps
     if (paint.normal_map.first != NONE) {
-        let map = sample_map(paint.normal_map, filtering, uv, right, down, false) * 2.0 - 1.0;
+        let map = sample_map(paint.normal_map, uv, right, down, false) * 2.0 - 1.0;
         look.tangent = vec3f(map.xy * paint.bump, map.z);
     }
     #end

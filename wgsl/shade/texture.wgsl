@@ -6,6 +6,10 @@
 
 // `hold` is each method's own.
 
+// How pictures are read is written out, as all is that a frame decides once: a branch on a uniform lavapipe compiles
+// anew for every dispatch (`lvp_inline_uniforms`), and keeps.
+const FILTERING: u32 = $filtering;
+
 // A level of a map: its first texel and its size.
 struct Level {
     first: u32,
@@ -64,46 +68,36 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
 }
 
 // `right` and `down`: the texture coordinates one pixel further on.
-fn sample_map(map: Map, filtering: u32, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
+fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     let u = full.x - floor(full.x);
     let v = full.y - floor(full.y);
     let finest = level_of(map, 0u);
-    var color = vec3f(0.0);
-    #repeat nearest
-    if (filtering == NEAREST) {
-        color = texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
+    if (FILTERING == NEAREST) {
+        return texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
     }
-    #end
-    #repeat bilinear
-    if (filtering == BILINEAR) {
-        color = bilinear(finest, u, v, decode);
+    if (FILTERING == BILINEAR) {
+        return bilinear(finest, u, v, decode);
     }
-    #end
-    #repeat mipmap
-    if (filtering == MIPMAP) {
-        let size = map.scale * vec2f(f32(map.width), f32(map.height));
-        let dx = (right - uv) * size;
-        let dy = (down - uv) * size;
-        let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
-        let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
-        let fine = u32(detail);
-        let near = bilinear(level_of(map, fine), u, v, decode);
-        // Past the coarsest there is nothing to blend with, and nothing left of the way there.
-        let far = bilinear(level_of(map, min(fine + 1u, map.levels - 1u)), u, v, decode);
-        color = blend(near, far, detail - floor(detail));
-    }
-    #end
-    return color;
+    let size = map.scale * vec2f(f32(map.width), f32(map.height));
+    let dx = (right - uv) * size;
+    let dy = (down - uv) * size;
+    let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
+    let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
+    let fine = u32(detail);
+    let near = bilinear(level_of(map, fine), u, v, decode);
+    // Past the coarsest there is nothing to blend with, and nothing left of the way there.
+    let far = bilinear(level_of(map, min(fine + 1u, map.levels - 1u)), u, v, decode);
+    return blend(near, far, detail - floor(detail));
 }
 
 // Whether a face with this opacity map is there: what is half transparent is. Read from the finest level.
-fn is_there(map: Map, filtering: u32, uv: vec2f) -> bool {
+fn is_there(map: Map, uv: vec2f) -> bool {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     let level = level_of(map, 0u);
     let x = hold((full.x - floor(full.x)) * f32(map.width));
     let y = hold((full.y - floor(full.y)) * f32(map.height));
-    if (filtering == NEAREST) {
+    if (FILTERING == NEAREST) {
         return alpha_of(level, i32(x), i32(y)) >= 0.5;
     }
     let column = i32(floor(x - 0.5));

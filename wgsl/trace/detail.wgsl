@@ -67,11 +67,9 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
     let paint = paint_at(leaf.material);
     let p = fence(point, settings.zero);
     var sides = Beside(p, p);
-    #repeat mipmap
-    if (settings.filtering == MIPMAP) {
+    if (FILTERING == MIPMAP) {
         sides = beside(ray, p, normal);
     }
-    #end
     var uv = vec2f(0.0);
     var right = uv;
     var down = uv;
@@ -109,14 +107,12 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
         uv = uv_by(w, a, b, c);
         right = uv;
         down = uv;
-        #repeat mipmap
-        if (settings.filtering == MIPMAP) {
+        if (FILTERING == MIPMAP) {
             right = uv_by(weights_at(sides.right, normal, leaf.a, leaf.b, leaf.c), a, b, c);
             down = uv_by(weights_at(sides.down, normal, leaf.a, leaf.b, leaf.c), a, b, c);
         }
-        #end
     }
-    let look = look_of(paint, settings.filtering, uv, right, down);
+    let look = look_of(paint, uv, right, down);
     #repeat bumps
     if (paint.normal_map.first != NONE) {
         if (leaf.kind == TRIANGLE) {

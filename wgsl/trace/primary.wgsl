@@ -7,16 +7,17 @@
 
 // Where in its pixel a sample lies, in [0, 1)^2 from the lower left corner.
 fn place(sample: u32) -> vec2f {
-    if (view.grid > 0u) {
-        // Exact below 2^22 samples; lavapipe divides integers lane by lane.
-        let row = floor((f32(sample) + 0.5) / f32(view.grid));
-        return vec2f(f32(sample) - row * f32(view.grid), row) / f32(view.grid);
-    }
+    // Exact below 2^22 samples; lavapipe divides integers lane by lane.
+    let grid = f32(max(view.grid, 1u));
+    let row = floor((f32(sample) + 0.5) / grid);
+    let on_grid = vec2f(f32(sample) - row * grid, row) / grid;
     // The R2 sequence (Roberts, 2018): multiples of 1/p and 1/p^2, p = 1.3247..., as fractions of 2^32.
-    return vec2f(
+    let in_sequence = vec2f(
         f32((sample * 3242174889u) >> 8u) * 5.9604645e-8,
         f32((sample * 2447445414u) >> 8u) * 5.9604645e-8,
     );
+    // No branch: see FILTERING.
+    return select(in_sequence, on_grid, view.grid > 0u);
 }
 
 // A pixel's column, and its row from the bottom.

@@ -105,7 +105,7 @@ fn lit(path: ptr<function, Path>, surface: Surface, source: Light) -> Lit {
     if (!(dot(l, surface.normal) > 0.0 && dot(l, surface.shading) > 0.0)) {
         return Lit(vec3f(0.0), shadow, 0.0);
     }
-    let terms = phong(surface.shading, l, -(*path).direction, surface.material.exponent, settings.specular);
+    let terms = phong(surface.shading, l, -(*path).direction, surface.material.exponent);
     let strength = surface.material.local_weight * (vec3f(terms.x) + surface.specular * terms.y);
     let color = (*path).weight * (surface.material.color * (source.power * strength));
     return Lit(color, shadow, select(FAR, 1.0, point_light));

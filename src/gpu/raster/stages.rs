@@ -151,7 +151,6 @@ impl Raster for GpuRaster<'_> {
             for bound in &this.parts {
                 let bindings = [
                     Binding::new("lens", &this.lens),
-                    Binding::new("canvas", &this.canvas),
                     Binding::new("part", &bound.about),
                     Binding::texels("vertices", &bound.vertices),
                     Binding::texels("faces", &bound.faces),

@@ -3,7 +3,7 @@
 use crate::gpu::looks::looks;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Error, Gpu, Kernel};
-use crate::tables::{Drawing, SHOW_COLOR};
+use crate::tables::Drawing;
 
 /// Which variants of the kernels are used. None of it shows in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,7 +59,8 @@ impl Variant {
     pub(super) fn shader(self, gpu: &Gpu, sources: &Sources, drawing: &Drawing) -> Result<Kernel, Error> {
         let canvas = &drawing.canvas;
         let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
-        let sources = sources.with_count("views", u32::from(canvas.show != SHOW_COLOR));
+        let sources = sources.with_count("show", canvas.show).with_count("blur", canvas.blur);
+        let sources = sources.with_count("lamps", canvas.lamps);
         let sources = if drawing.samples() == 1 { sources.for_what("once") } else { sources };
         Kernel::new(gpu, &sources.for_what("eye"), "raster/shade")
     }
