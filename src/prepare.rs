@@ -19,7 +19,7 @@ use mesh::Sheet;
 
 use crate::math::vector::unit;
 use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Specular};
-use crate::tables::{self, Tables, View};
+use crate::tables::{self, CUT_OUT, ONE_SIDED, TRIANGLE, Tables, View};
 
 /// The tables of a scene.
 #[must_use]
@@ -31,11 +31,20 @@ pub fn prepare(scene: &Scene) -> Tables {
 #[must_use]
 pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     let material = |i: usize| i as u32;
-    let Leaves { all: leaves, tree, materials } = leaves::leaves(scene, builder);
+    let Leaves { all: mut leaves, tree, materials } = leaves::leaves(scene, builder);
     let mut sheet = Sheet::new(scene);
     sheet.triangles(scene);
     sheet.meshes(scene);
     let Sheet { vertices, faces, paints, texels, .. } = sheet;
+    let first_face = (scene.spheres.len() + scene.planes.len()) as u32;
+    for leaf in leaves.iter_mut().filter(|leaf| leaf.kind == TRIANGLE) {
+        leaf.kind |= faces[(leaf.id - first_face) as usize].paint & (ONE_SIDED | CUT_OUT);
+        // What goes into glass has to come out of it.
+        let own = scene.materials.get(leaf.material as usize);
+        if own.is_some_and(|material| material.behavior == Behavior::Glass) {
+            leaf.kind &= !ONE_SIDED;
+        }
+    }
     let bounds = if tree.order.is_empty() { Bounds::around([Vec3::ZERO]) } else { tree.bounds };
     let mut tables = Tables {
         view: view(scene),

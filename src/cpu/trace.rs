@@ -12,6 +12,7 @@ pub mod lay;
 pub mod meet;
 pub mod primary;
 pub mod scatter;
+pub mod solid;
 pub mod surface;
 pub mod tree;
 pub mod unrolled;

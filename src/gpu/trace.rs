@@ -16,8 +16,8 @@ use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::film::Run;
 use crate::tables::{
-    CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables, View,
-    Waiting,
+    CUT_OUT, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, ONE_SIDED, PLANE, Path, STACK_FULL, Settings, Slice,
+    Status, Tables, View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -68,6 +68,7 @@ impl<'a> GpuTrace<'a> {
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
         let has = |behavior| tables.materials.iter().any(|material| material.behavior == behavior);
+        let pierced = |by| tables.leaves.iter().any(|leaf| leaf.kind > PLANE && leaf.kind & by != 0);
         let written_out = [
             ("diffuse", usize::from(has(DIFFUSE))),
             ("glass", usize::from(has(GLASS))),
@@ -76,6 +77,9 @@ impl<'a> GpuTrace<'a> {
             ("materials", tables.materials.len()),
             ("lights", tables.lights.len()),
             ("spheres_below", tables.spheres.len().min(1)),
+            ("pierced", usize::from(pierced(ONE_SIDED | CUT_OUT))),
+            ("one_sided", usize::from(pierced(ONE_SIDED))),
+            ("cut_out", usize::from(pierced(CUT_OUT))),
             ("deep", tables.deep as usize),
         ];
         let counted = written_out.into_iter();

@@ -89,6 +89,7 @@ embed! {
     "trace/meet",
     "trace/primary",
     "trace/scatter",
+    "trace/solid",
     "trace/surface",
     "trace/tree",
     "trace/unrolled",

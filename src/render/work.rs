@@ -16,9 +16,7 @@ use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
 use crate::prepare::{draw, prepare};
 use crate::raster;
 use crate::scene::{Method, Reach, Scene};
-use crate::tables::{
-    CUT_OUT, Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables,
-};
+use crate::tables::{Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables};
 use crate::trace::{BLOCK, Part};
 
 /// One picture, made ready: all that a backend reads.
@@ -98,12 +96,6 @@ impl Work {
             Method::Trace => {
                 let tables = prepare(scene);
                 let samples = 0..tables.samples;
-                if tables.faces.iter().any(|face| face.paint & CUT_OUT != 0) {
-                    notes.push(
-                        "opacity maps (`map_d`) cut holes into what is drawn, and none into what is traced"
-                            .to_owned(),
-                    );
-                }
                 Kind::Traced(Box::new(tables), samples)
             }
             Method::Raster => {

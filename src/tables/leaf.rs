@@ -16,7 +16,8 @@ pub struct Leaf {
     pub material: u32,
     /// A triangle's third corner; the way in which u of a plane's maps grows, one over a copy's size long.
     pub c: Vec3,
-    /// [`TRIANGLE`], [`SPHERE`] or [`PLANE`].
+    /// [`TRIANGLE`], [`SPHERE`] or [`PLANE`]; a triangle's with [`ONE_SIDED`](super::ONE_SIDED) and
+    /// [`CUT_OUT`](super::CUT_OUT).
     pub kind: u32,
 }
 

@@ -5,9 +5,10 @@ use twinlight::film::Film;
 use twinlight::film::compare::{Measure, Standard, TOLERANCES};
 use twinlight::math::Vec3;
 use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
-use twinlight::tables::{NONE, Tables};
+use twinlight::tables::{CUT_OUT, NONE, ONE_SIDED, Tables};
 
 use super::raster_frames::painted;
+use super::trace_lace::lace;
 use super::{on_cpu, root, scene_on_cpu, small, tables_of};
 
 /// One sample in the middle of each pixel, where the rasterizer's lies; light without ambient light and half shadows.
@@ -179,6 +180,27 @@ fn scenes_in_disorder_look_the_same_by_both_methods() {
         alike += found.alike;
     }
     assert!(alike > 300_000, "{alike} pixels are no test");
+}
+
+/// Holes, and faces that are not seen from their backs; light falls through the ones and not through the others.
+#[test]
+fn holes_and_backs_look_the_same_by_both_methods() {
+    let (mut alike, mut through) = (0, 0);
+    for number in 0..8 {
+        let mut scene = disorder(number);
+        scene.meshes = vec![lace(number, number.is_multiple_of(2))];
+        let tables = centered(&scene);
+        let found = found(&scene, &tables);
+        assert!(found.agrees(), "scene {number}: {found:?}");
+        alike += found.alike;
+        let mut faults = [tables.clone(), tables.clone(), tables.clone()];
+        faults[0].leaves.iter_mut().for_each(|leaf| leaf.kind &= !CUT_OUT);
+        faults[1].leaves.iter_mut().for_each(|leaf| leaf.kind &= !ONE_SIDED);
+        faults[2].paints.iter_mut().for_each(|paint| paint.opacity_map.shift += 0.3);
+        through += faults.iter().filter(|tables| !self::found(&scene, tables).agrees()).count();
+    }
+    assert!(alike > 40_000, "{alike} pixels are no test");
+    assert!(through >= 12, "only {through} of 20 planted faults are seen");
 }
 
 /// A smooth sphere, of which the rasterizer draws 96 x 48 squares.

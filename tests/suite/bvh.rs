@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use twinlight::cpu::trace::aim::{Ray, aim_of};
+use twinlight::cpu::trace::solid::is_solid;
 use twinlight::cpu::trace::walk::{Walk, meet, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::gpu::wgsl::Sources;
@@ -9,7 +10,7 @@ use twinlight::math::Vec3;
 use twinlight::prepare::bvh::{Binned, Bounds, Builder, Halves, Tree};
 use twinlight::prepare::{prepare, prepare_with};
 use twinlight::scene::{self, Scene, Sphere, Triangle};
-use twinlight::tables::{FAR, Leaf, NONE, Node, SPHERE, Tables};
+use twinlight::tables::{FAR, Leaf, NONE, Node, PLANE, SPHERE, Tables};
 
 use super::{Dice, on_cpu, on_gpu, root, small};
 
@@ -103,14 +104,15 @@ pub(super) fn ray(dice: &mut Dice, tables: &Tables) -> Ray {
 }
 
 /// Every leaf in turn: what a walk must find.
-pub(super) fn brute(tables: &Tables, ray: Ray, reach: f32) -> Walk {
+pub(super) fn brute(tables: &Tables, ray: Ray, reach: f32, any: bool) -> Walk {
     let aim = aim_of(ray, tables.settings.low, tables.settings.high);
     let per_length_squared = 1.0 / ray.direction.dot(ray.direction);
     let mut best = Walk::new(reach);
     let mut id = 0;
     for (leaf, i) in tables.leaves.iter().zip(0..) {
         let t = meet(ray, &aim, per_length_squared, leaf, i);
-        if t < best.t || (t == best.t && leaf.id < id) {
+        let nearer = t < best.t || (t == best.t && leaf.id < id);
+        if nearer && (leaf.kind <= PLANE || is_solid(tables, ray, &aim, leaf, any)) {
             (best.t, best.hit, id) = (t, i, leaf.id);
         }
     }
@@ -118,15 +120,16 @@ pub(super) fn brute(tables: &Tables, ray: Ray, reach: f32) -> Walk {
 }
 
 #[derive(Debug, Default)]
-struct Tally {
-    rays: usize,
-    hits: usize,
-    differ: usize,
+pub(super) struct Tally {
+    pub(super) rays: usize,
+    pub(super) hits: usize,
+    pub(super) differ: usize,
 }
 
 /// So many rays, each asked for its nearest hit and for any.
-fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> Tally {
+pub(super) fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> Tally {
     let wides = Wides::new(tables);
+    let pierced = tables.leaves.iter().any(|leaf| leaf.kind > PLANE);
     let tally = |chunk: usize| {
         let mut dice = Dice(seed, (chunk as u32) << 18);
         let mut stack = vec![[0; 2]; tables.deep as usize];
@@ -134,18 +137,19 @@ fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> Tally {
         let mut tally = Tally::default();
         for _ in 0..1000.min(rays - chunk * 1000) {
             let ray = ray(&mut dice, tables);
-            let expected = brute(tables, ray, FAR);
+            let expected = brute(tables, ray, FAR, false);
             let found = walk(tables, &mut stack, ray, Walk::new(FAR), u32::MAX, false);
-            // Up to the hit there is nothing; up to a little beyond it there is something.
-            let free = walk(tables, &mut stack, ray, Walk::new(expected.t), u32::MAX, true);
-            let beyond = if expected.hit == NONE { FAR } else { expected.t.next_up() };
-            let blocked = walk(tables, &mut stack, ray, Walk::new(beyond), u32::MAX, true);
             let same = found.hit == expected.hit && found.t.to_bits() == expected.t.to_bits();
-            let same = same && free.hit == NONE && (blocked.hit == NONE) == (expected.hit == NONE);
             let eight = walker.walk(ray, Walk::new(FAR), false);
             let same = same && eight.hit == expected.hit && eight.t.to_bits() == expected.t.to_bits();
-            let same = same && walker.walk(ray, Walk::new(expected.t), true).hit == NONE;
-            let same = same && (walker.walk(ray, Walk::new(beyond), true).hit == NONE) == (expected.hit == NONE);
+            // Up to the hit there is nothing; up to a little beyond it there is something.
+            let first = if pierced { brute(tables, ray, FAR, true) } else { expected };
+            let free = walk(tables, &mut stack, ray, Walk::new(first.t), u32::MAX, true);
+            let beyond = if first.hit == NONE { FAR } else { first.t.next_up() };
+            let blocked = walk(tables, &mut stack, ray, Walk::new(beyond), u32::MAX, true);
+            let same = same && free.hit == NONE && (blocked.hit == NONE) == (first.hit == NONE);
+            let same = same && walker.walk(ray, Walk::new(first.t), true).hit == NONE;
+            let same = same && (walker.walk(ray, Walk::new(beyond), true).hit == NONE) == (first.hit == NONE);
             assert_eq!(found.flags | free.flags | blocked.flags, 0, "a stack was full");
             tally.rays += 1;
             tally.hits += usize::from(expected.hit != NONE);

@@ -43,6 +43,7 @@ mod schema;
 mod stages;
 mod tidy;
 mod time;
+mod trace_lace;
 mod trace_maps;
 mod watertight;
 mod wrong;

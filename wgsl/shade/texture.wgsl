@@ -94,7 +94,8 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
 // Whether a face with this opacity map is there: what is half transparent is. Read from the finest level.
 fn is_there(map: Map, uv: vec2f) -> bool {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
-    let level = level_of(map, 0u);
+    // Without a loop: a ray asks this in the midst of its own.
+    let level = Level(map.first, i32(map.width), i32(map.height));
     let x = hold((full.x - floor(full.x)) * f32(map.width));
     let y = hold((full.y - floor(full.y)) * f32(map.height));
     if (FILTERING == NEAREST) {

@@ -10,7 +10,7 @@ struct Leaf {
     material: u32,
     // A triangle's third corner; the way in which u of a plane's maps grows, one over a copy's size long.
     c: vec3f,
-    // TRIANGLE, SPHERE or PLANE.
+    // TRIANGLE, SPHERE or PLANE; a triangle's with ONE_SIDED and CUT_OUT.
     kind: u32,
 }
 

@@ -115,7 +115,7 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
     let look = look_of(paint, uv, right, down);
     #repeat bumps
     if (paint.normal_map.first != NONE) {
-        if (leaf.kind == TRIANGLE) {
+        if (leaf.kind != SPHERE && leaf.kind != PLANE) {
             n = bumped(n, a, b, c, look.tangent);
         } else if (dot(along_u, along_u) > 0.0) {
             n = unit(sum_by(look.tangent, unit(along_u), unit(along_v), n));

@@ -40,8 +40,19 @@ fn meet_plane(ray: Ray, plane: Plane) -> f32 {
     return ahead(dot(plane.normal, plane.point - ray.origin) / across);
 }
 
-// The spec's inside test (2.3) on edge functions that neighbors share to the bit, so that no ray slips
-// between them: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+// Edge functions that neighbors share to the bit, so that no ray slips between them: Woop, Benthin and Wald,
+// "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013. Of corners seen from the ray, in the frame of its aim.
+fn edges(a: vec3f, b: vec3f, c: vec3f, aim: Aim) -> vec3f {
+    let ax = a.x - aim.shear.x * a.z;
+    let ay = a.y - aim.shear.y * a.z;
+    let bx = b.x - aim.shear.x * b.z;
+    let by = b.y - aim.shear.y * b.z;
+    let cx = c.x - aim.shear.x * c.z;
+    let cy = c.y - aim.shear.y * c.z;
+    return vec3f(cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax);
+}
+
+// The spec's inside test (2.3).
 fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
     let from_a = triangle.a - ray.origin;
     let from_b = triangle.b - ray.origin;
@@ -49,18 +60,10 @@ fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
     let a = turned(from_a, aim.axis);
     let b = turned(from_b, aim.axis);
     let c = turned(from_c, aim.axis);
-    let ax = a.x - aim.shear.x * a.z;
-    let ay = a.y - aim.shear.y * a.z;
-    let bx = b.x - aim.shear.x * b.z;
-    let by = b.y - aim.shear.y * b.z;
-    let cx = c.x - aim.shear.x * c.z;
-    let cy = c.y - aim.shear.y * c.z;
-    let u = cx * by - cy * bx;
-    let v = ax * cy - ay * cx;
-    let w = bx * ay - by * ax;
-    let area = u + v + w;
-    let outside = (min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0) || area == 0.0;
-    let scaled = u * a.z + v * b.z + w * c.z;
+    let e = edges(a, b, c, aim);
+    let area = e.x + e.y + e.z;
+    let outside = (min(e.x, min(e.y, e.z)) < 0.0 && max(e.x, max(e.y, e.z)) > 0.0) || area == 0.0;
+    let scaled = e.x * a.z + e.y * b.z + e.z * c.z;
     // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box,
     // so that no node hides what a test would find.
     let low = min(from_a, min(from_b, from_c)) * aim.inverse;

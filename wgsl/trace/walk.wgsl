@@ -6,6 +6,7 @@
 #import "tables/status.wgsl"
 #import "tables/texel.wgsl"
 #import "trace/meet.wgsl"
+#import "trace/solid.wgsl"
 #import "trace/boxes.wgsl"
 
 @group(0) @binding(0) var<uniform> settings: Settings;
@@ -125,7 +126,12 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
             met &= met - 1u;
             let leaf = leaf_at(i);
             let t = meet(ray, aim, per_length_squared, leaf, i);
-            let nearer = t < walk.t || (t == walk.t && leaf.id < id);
+            var nearer = t < walk.t || (t == walk.t && leaf.id < id);
+            #repeat pierced
+            if (nearer && leaf.kind > PLANE) {
+                nearer = is_solid(ray, aim, leaf, any);
+            }
+            #end
             walk.t = select(walk.t, t, nearer);
             walk.hit = select(walk.hit, i, nearer);
             id = select(id, leaf.id, nearer);

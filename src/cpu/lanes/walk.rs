@@ -9,8 +9,9 @@ use glam::Vec3;
 use super::LANES;
 use super::wide::{Block, Wide, Wides};
 use crate::cpu::trace::aim::{Aim, Ray, aim_of};
+use crate::cpu::trace::solid::is_solid;
 use crate::cpu::trace::walk::{Walk, meet, planes};
-use crate::tables::{Leaf, NONE, Tables};
+use crate::tables::{NONE, PLANE, Tables};
 
 /// Walks of one scene, one after the other.
 #[derive(Debug)]
@@ -56,7 +57,7 @@ impl<'a> Walker<'a> {
             if met & !node.inner != 0 {
                 for (held, block) in node.held.into_iter().zip(node.first..) {
                     if met & held != 0 {
-                        eyes.leaves(&self.tables.leaves, &wides.blocks[block as usize], walk, &mut id);
+                        eyes.leaves(self.tables, &wides.blocks[block as usize], walk, &mut id, any);
                     }
                 }
                 if any && walk.hit != NONE {
@@ -158,7 +159,7 @@ impl<S: Simd> Eyes<S> {
 
     /// Asks a block's primitives, whichever child they belong to: what a ray meets, its box does.
     #[inline(always)]
-    fn leaves(&self, leaves: &[Leaf], block: &Block, walk: &mut Walk, id: &mut u32) {
+    fn leaves(&self, tables: &Tables, block: &Block, walk: &mut Walk, id: &mut u32, any: bool) {
         let (distances, met) = self.triangles(block, walk.t);
         let mut left = met | block.spheres;
         if left == 0 {
@@ -169,12 +170,13 @@ impl<S: Simd> Eyes<S> {
             let lane = left.trailing_zeros() as usize % LANES;
             left &= left - 1;
             let i = block.first + lane as u32;
-            let leaf = &leaves[i as usize];
+            let leaf = &tables.leaves[i as usize];
             let sphere = block.spheres & 1 << lane != 0;
             let t =
                 if sphere { meet(self.ray, &self.aim, self.per_length_squared, leaf, i) } else { distances[lane] };
             let own = !sphere && i == self.ray.leaves;
-            if !own && (t < walk.t || (t == walk.t && leaf.id < *id)) {
+            let nearer = !own && (t < walk.t || (t == walk.t && leaf.id < *id));
+            if nearer && (leaf.kind <= PLANE || is_solid(tables, self.ray, &self.aim, leaf, any)) {
                 walk.t = t;
                 walk.hit = i;
                 *id = leaf.id;

@@ -1,5 +1,7 @@
 //! a ray and a primitive -> the distance to where they meet, in lengths of the direction, or FAR
 
+use glam::Vec3;
+
 use crate::cpu::trace::aim::{Aim, Ray, turned};
 use crate::tables::{FAR, Leaf, Plane, Sphere};
 
@@ -45,22 +47,27 @@ pub fn meet_plane(ray: Ray, plane: &Plane) -> f32 {
     ahead(plane.normal.dot(plane.point - ray.origin) / across)
 }
 
-/// The spec's inside test (2.3) on edge functions that neighbors share to the bit, so that no ray slips between
-/// them: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+/// Edge functions that neighbors share to the bit, so that no ray slips between them: Woop, Benthin and Wald,
+/// "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013. Of corners seen from the ray, in the frame of its aim.
 #[inline]
 #[must_use]
-pub fn meet_triangle(ray: Ray, triangle: &Leaf, aim: &Aim) -> f32 {
-    let from = [triangle.a, triangle.b, triangle.c].map(|corner| corner - ray.origin);
-    let [a, b, c] = from.map(|corner| turned(corner, aim.axis));
+pub fn edges([a, b, c]: [Vec3; 3], aim: &Aim) -> [f32; 3] {
     let ax = a.x - aim.shear.x * a.z;
     let ay = a.y - aim.shear.y * a.z;
     let bx = b.x - aim.shear.x * b.z;
     let by = b.y - aim.shear.y * b.z;
     let cx = c.x - aim.shear.x * c.z;
     let cy = c.y - aim.shear.y * c.z;
-    let u = cx * by - cy * bx;
-    let v = ax * cy - ay * cx;
-    let w = bx * ay - by * ax;
+    [cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax]
+}
+
+/// The spec's inside test (2.3).
+#[inline]
+#[must_use]
+pub fn meet_triangle(ray: Ray, triangle: &Leaf, aim: &Aim) -> f32 {
+    let from = [triangle.a, triangle.b, triangle.c].map(|corner| corner - ray.origin);
+    let [a, b, c] = from.map(|corner| turned(corner, aim.axis));
+    let [u, v, w] = edges([a, b, c], aim);
     let area = u + v + w;
     if (u.min(v.min(w)) < 0.0 && u.max(v.max(w)) > 0.0) || area == 0.0 {
         return FAR;

@@ -3,7 +3,8 @@
 use crate::cpu::trace::aim::{Aim, Ray, aim_of};
 use crate::cpu::trace::boxes::boxes_met;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
-use crate::tables::{FAR, Leaf, NONE, Plane, SPHERE, STACK_FULL, Sphere, Tables};
+use crate::cpu::trace::solid::is_solid;
+use crate::tables::{FAR, Leaf, NONE, PLANE, Plane, SPHERE, STACK_FULL, Sphere, Tables};
 
 /// Where a walk is, and what it has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,7 +114,8 @@ pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most
             met &= met - 1;
             let leaf = &tables.leaves[i as usize];
             let t = meet(ray, &aim, per_length_squared, leaf, i);
-            if t < walk.t || (t == walk.t && leaf.id < id) {
+            let nearer = t < walk.t || (t == walk.t && leaf.id < id);
+            if nearer && (leaf.kind <= PLANE || is_solid(tables, ray, &aim, leaf, any)) {
                 walk.t = t;
                 walk.hit = i;
                 id = leaf.id;

@@ -77,7 +77,8 @@ pub struct Mesh {
     #[serde(default)]
     #[schemars(with = "String")]
     pub material: Option<At<String>>,
-    /// Whether its faces are seen from their front alone. false unless given.
+    /// Whether its faces are seen from their front alone; they cast shadows all the same, and those of glass are seen from
+    /// both sides by the ray tracer. false unless given.
     #[serde(default)]
     pub one_sided: bool,
 }
