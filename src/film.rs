@@ -1,21 +1,26 @@
 //! The film: all that a renderer may write, and the only thing that knows how to become a file.
 
+mod band;
 pub mod compare;
 pub mod exr;
 pub mod ledger;
 pub mod merge;
 mod moving;
 pub mod pass;
+mod rows;
 mod save;
 mod stamp;
 mod transfer;
 mod watch;
+mod whole;
 
+pub use band::{Band, split};
 pub use moving::Moving;
+pub use rows::Growing;
 pub use save::{Error, Format, folder_of, replace, sweep, write_whole};
 pub use stamp::stamp_of;
 pub use transfer::{Transfer, decode_hex};
-pub use watch::{Run, Watch};
+pub use watch::{Run, Share, Watch};
 
 use glam::Vec3;
 

@@ -14,9 +14,9 @@
 //! are drawn by one invocation each, and never enter a list; all others become pieces, which are sorted into tiles that
 //! a workgroup owns.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
-use crate::film::{Film, Watch};
+use crate::film::{Band, Film, Run, Watch, split};
 use crate::tables::{Drawing, Lens, SHOW_TILES};
 
 /// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
@@ -216,36 +216,95 @@ pub fn part<R: Raster>(
     rectangle: &[Range<u32>; 2],
     watch: &mut dyn Watch,
 ) -> Result<Film, R::Error> {
-    let windows = drawing.windows(rectangle);
-    let passes = (drawing.lenses.len() + windows.iter().map(Vec::len).sum::<usize>()) as f64;
+    let mut all = None;
+    bands(stages, drawing, rectangle, u32::MAX, watch, &mut |band| {
+        all = Some(band.film);
+        ControlFlow::Continue(())
+    })?;
+    Ok(all.unwrap_or_else(|| Film::new(rectangle[0].len() as u32, rectangle[1].len() as u32)))
+}
+
+/// The same, so many rows at a time, from the top; of several bands each is kept as a run of pixels.
+///
+/// # Errors
+/// The backend's.
+pub fn bands<R: Raster>(
+    stages: &mut R,
+    drawing: &Drawing,
+    [columns, rows]: &[Range<u32>; 2],
+    height: u32,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(Band) -> ControlFlow<()>,
+) -> Result<(), R::Error> {
+    let bands: Vec<_> = split(rows, height).map(|rows| [columns.clone(), rows]).collect();
+    let windows: Vec<_> = bands.iter().map(|band| drawing.windows(band)).collect();
+    let all = || windows.iter().flatten().flatten();
+    let passes = (drawing.lenses.len() + all().count()) as f64;
     let mut done = 0.0;
-    let mut step = |done: &mut f64| {
-        *done += 1.0;
-        watch.done(*done / passes)
+    let mut step = |watch: &mut dyn Watch| {
+        done += 1.0;
+        // What is done cannot be stopped any more.
+        watch.done(done / passes).is_break() && done < passes
     };
-    let [width, height] = [0, 1].map(|i| rectangle[i].len() as u32);
-    let mut film = Film::new(width, height);
     let mut shadows = stages.image(drawing.shadow_words(), false)?;
     stages.clear(&mut shadows)?;
     for lens in &drawing.lenses {
         draw(stages, lens, &mut shadows)?;
-        if step(&mut done).is_break() {
-            return Ok(film);
+        if step(watch) {
+            return Ok(());
         }
     }
-    let pixels = windows.iter().flatten().map(Lens::pixels).max().unwrap_or(0);
-    let mut image = stages.image(pixels as usize, true)?;
-    for eyes in &windows {
-        for eye in eyes {
-            look(stages, drawing, eye, &mut image, &shadows)?;
-            // What is done cannot be stopped any more.
-            if step(&mut done).is_break() && done < passes {
-                return Ok(film);
+    let mut image = stages.image(all().map(Lens::pixels).max().unwrap_or(0) as usize, true)?;
+    for (band, windows) in bands.iter().zip(&windows) {
+        let top = band[1].start - rows.start;
+        let kept = if bands.len() > 1 { taken_up(drawing, band, watch) } else { None };
+        if let Some(film) = kept {
+            let stopped = windows.iter().flatten().any(|_| step(watch));
+            if stopped || each(Band { top, film }).is_break() {
+                return Ok(());
             }
+            continue;
         }
-        let (sums, ids) = stages.end(&eyes[0], &image)?;
-        let place = [eyes[0].left - rectangle[0].start, eyes[0].top - rectangle[1].start];
-        film.lay(place, eyes[0].width, &sums, &ids);
+        let mut film = Film::new(columns.len() as u32, band[1].len() as u32);
+        for eyes in windows {
+            for eye in eyes {
+                look(stages, drawing, eye, &mut image, &shadows)?;
+                if step(watch) {
+                    return Ok(());
+                }
+            }
+            let (sums, ids) = stages.end(&eyes[0], &image)?;
+            let place = [eyes[0].left - columns.start, eyes[0].top - band[1].start];
+            film.lay(place, eyes[0].width, &sums, &ids);
+        }
+        if bands.len() > 1 {
+            let run = Run { samples: samples(drawing), ..Run::new(pixels(band), 0) };
+            watch.keep(&Run { sums: film.sums().to_vec(), ids: film.ids().to_vec(), ..run });
+        }
+        if each(Band { top, film }).is_break() {
+            return Ok(());
+        }
     }
-    Ok(film)
+    Ok(())
+}
+
+/// The pixels of a band, which are counted along its own rows, as if the picture had no others.
+fn pixels([columns, rows]: &[Range<u32>; 2]) -> Range<u32> {
+    let width = columns.len() as u32;
+    rows.start * width..rows.end * width
+}
+
+fn samples(drawing: &Drawing) -> Range<u32> {
+    0..drawing.samples() as u32
+}
+
+/// A band that an earlier try has kept.
+fn taken_up(drawing: &Drawing, band: &[Range<u32>; 2], watch: &mut dyn Watch) -> Option<Film> {
+    let run = watch.kept(pixels(band).start)?;
+    if run.pixels != pixels(band) || run.samples != samples(drawing) {
+        return None;
+    }
+    let mut film = Film::new(band[0].len() as u32, band[1].len() as u32);
+    film.put(0, &run.sums, &run.ids);
+    Some(film)
 }

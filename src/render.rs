@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use crate::film::pass::{Layer, Pass};
-use crate::film::{Film, Run, Watch};
+use crate::film::{Band, Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, Wanted};
 use crate::scene::{Method, Scene};
@@ -46,6 +46,20 @@ pub enum Error {
         /// MiB.
         most: u64,
     },
+    /// A film that there is no memory for.
+    #[error(
+        "a film of {}x{} needs {needed} MiB, and {most} MiB of memory may be taken; .png, .tga and .ppm can be made \
+         in bands, and all by --crop",
+        size[0], size[1]
+    )]
+    Film {
+        /// Its width and height.
+        size: [u32; 2],
+        /// MiB.
+        needed: u64,
+        /// MiB.
+        most: u64,
+    },
     /// Samples that cannot be made alone; how many there are.
     #[error("{}", no_samples(*.0))]
     Samples(u32),
@@ -65,6 +79,17 @@ pub struct Rendered {
     /// Who made it: an adapter's name, or "CPU".
     pub by: String,
     /// From the tables to the film.
+    pub took: Duration,
+    /// Why it was not made otherwise, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// How a picture came to be that was handed on band by band.
+#[derive(Debug)]
+pub struct Made {
+    /// Who made it: an adapter's name, or "CPU".
+    pub by: String,
+    /// From the tables to the last band.
     pub took: Duration,
     /// Why it was not made otherwise, a sentence each.
     pub notes: Vec<String>,
@@ -149,33 +174,85 @@ impl Renderer {
     /// Does work that is made ready.
     ///
     /// # Errors
-    /// If the GPU alone is allowed and fails, or `watch` stops the work.
+    /// If there is no memory for the film, the GPU alone is allowed and fails, or `watch` stops the work.
     pub fn make(&mut self, work: &Work, watch: &mut dyn Watch) -> Result<Rendered, Error> {
+        let size = work.size();
+        let needed = Film::bytes(size[0], size[1]);
+        if needed > work.most {
+            return Err(Error::Film { size, needed: needed.div_ceil(1 << 20), most: work.most >> 20 });
+        }
+        let mut film = Film::new(0, 0);
+        let made = self.run(work, u32::MAX, watch, &mut |band, _| {
+            film = band.film;
+            ControlFlow::Continue(())
+        })?;
+        Ok(Rendered { film, by: made.by, took: made.took, notes: made.notes })
+    }
+
+    /// The same for a picture that is too large for one film: `each` gets so many rows at a time, from the top, and
+    /// [who](Renderer::class) has made them. A GPU that fails midway is left for the CPU; if that does not make the same
+    /// bits, it begins at the top again.
+    ///
+    /// # Errors
+    /// If the GPU alone is allowed and fails, or `watch` or `each` stops the work.
+    pub fn make_bands(
+        &mut self,
+        work: &mut Work,
+        height: u32,
+        watch: &mut dyn Watch,
+        each: &mut dyn FnMut(Band, &str) -> ControlFlow<()>,
+    ) -> Result<Made, Error> {
+        work.draw_at_once(height);
+        self.run(work, height, watch, each)
+    }
+
+    fn run(
+        &mut self,
+        work: &Work,
+        height: u32,
+        watch: &mut dyn Watch,
+        each: &mut dyn FnMut(Band, &str) -> ControlFlow<()>,
+    ) -> Result<Made, Error> {
         let start = Instant::now();
         let mut notes = std::mem::take(&mut self.notes);
         notes.extend_from_slice(&work.notes);
         let mut watch = Noticed { watch, stopped: false, alone: false };
+        let (mut stopped, mut ready) = (false, 0);
         if let Some(gpu) = &self.gpu {
-            match work.on_gpu(gpu, &self.sources, &mut watch) {
-                Ok(_) if watch.stopped => return Err(Error::Stopped),
-                Ok(film) => {
-                    let by = gpu.adapter().name.clone();
-                    return Ok(Rendered { film, by, took: start.elapsed(), notes });
-                }
+            let class = self.class();
+            let made = work.on_gpu(gpu, &self.sources, height, &mut watch, &mut |band| {
+                ready = band.top + band.film.height();
+                let flow = each(band, &class);
+                stopped |= flow.is_break();
+                flow
+            });
+            match made {
+                Ok(()) if watch.stopped || stopped => return Err(Error::Stopped),
+                Ok(()) => return Ok(Made { by: gpu.adapter().name.clone(), took: start.elapsed(), notes }),
                 Err(error) if self.backend == Backend::Auto => {
                     notes.push(format!("{error}; rendering on the CPU instead"));
                     // What another kind of adapter has made of this picture is of no use to the CPU.
                     watch.alone = !gpu.exact();
+                    ready = if gpu.exact() { ready } else { 0 };
                     self.gpu = None;
                 }
                 Err(error) => return Err(error.into()),
             }
         }
-        let film = work.on_cpu(&mut watch);
-        if watch.stopped {
+        let class = self.class();
+        work.on_cpu(height, &mut watch, &mut |band| {
+            // Of bands that are ready the CPU would make the same.
+            if band.top < ready {
+                return ControlFlow::Continue(());
+            }
+            let flow = each(band, &class);
+            stopped |= flow.is_break();
+            flow
+        });
+        if watch.stopped || stopped {
             return Err(Error::Stopped);
         }
-        Ok(Rendered { film, by: "CPU".to_owned(), took: start.elapsed(), notes })
+        Ok(Made { by: "CPU".to_owned(), took: start.elapsed(), notes })
     }
 }
 

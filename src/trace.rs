@@ -21,7 +21,7 @@ use std::ops::{ControlFlow, Range};
 
 use bytemuck::Zeroable as _;
 
-use crate::film::{Film, Run, Watch};
+use crate::film::{Band, Film, Run, Share, Watch, split};
 use crate::tables::{NONE, Path, Slice, Tables, Waiting};
 
 /// The ray trees of a run of pixels, with their part of the film, in host memory.
@@ -173,6 +173,30 @@ pub fn frame<T: Trace>(stages: &mut T, tables: &Tables, watch: &mut dyn Watch) -
     part(stages, tables, &Part::whole(tables), watch)
 }
 
+/// A part of a frame, so many rows at a time, from the top.
+///
+/// # Errors
+/// The backend's, once smaller portions no longer help.
+pub fn bands<T: Trace>(
+    stages: &mut T,
+    tables: &Tables,
+    whole: &Part,
+    height: u32,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(Band) -> ControlFlow<()>,
+) -> Result<(), T::Error> {
+    let all = whole.rows.len() as f64;
+    for rows in split(&whole.rows, height) {
+        let before = f64::from(rows.start - whole.rows.start) / all;
+        let mut share = Share::new(watch, before, rows.len() as f64 / all);
+        let film = part(stages, tables, &Part { rows: rows.clone(), ..whole.clone() }, &mut share)?;
+        if share.stopped || each(Band { top: rows.start - whole.rows.start, film }).is_break() {
+            return Ok(());
+        }
+    }
+    Ok(())
+}
+
 /// A part of a frame, as a film of its rectangle.
 ///
 /// # Errors
@@ -192,12 +216,14 @@ pub fn part<T: Trace>(
         while first < end {
             // What was kept before a failure is as long as what failed.
             let kept = if eased { None } else { watch.kept(first) };
+            // Nor is what reaches beyond this part, which a try in other portions has kept.
+            let kept = kept.filter(|run| run.pixels.end <= end);
             let most = stages.most_pixels().max(1);
             let run = kept.unwrap_or_else(|| Run::new(first..end.min(first + most), samples.start));
             let before = laid + (first - start);
             let all = f64::from(film.pixels());
             let (before_it, length_of_it) = (f64::from(before) / all, run.pixels.len() as f64 / all);
-            let mut watch = Share { watch, before: before_it, length: length_of_it };
+            let mut watch = Share::new(watch, before_it, length_of_it);
             match follow_up(stages, tables, run, samples.end, &mut watch) {
                 Ok(Some(run)) => {
                     film.put(before, &run.sums, &run.ids);
@@ -216,19 +242,6 @@ pub fn part<T: Trace>(
     }
     let _ = watch.done(1.0);
     Ok(film)
-}
-
-/// One who watches the whole, seen from a part of it.
-struct Share<'a> {
-    watch: &'a mut dyn Watch,
-    before: f64,
-    length: f64,
-}
-
-impl Share<'_> {
-    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
-        self.watch.done(self.before + fraction * self.length)
-    }
 }
 
 /// A run of pixels up to sample `end`, block by block; nothing if it was stopped.
@@ -252,7 +265,7 @@ fn follow_up<T: Trace>(
             return Ok(None);
         };
         run.add(block.end, &paths.sums, &paths.squares, &paths.ids);
-        watch.watch.keep(&run);
+        watch.keep(&run);
     }
     Ok(Some(run))
 }

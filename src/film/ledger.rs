@@ -177,6 +177,11 @@ impl Ledger {
         Ok(Self { file, head, places, waiting: Vec::new() })
     }
 
+    /// Gives up all that was kept: where there is no room for it, the picture needs what there is.
+    pub fn forget(self) {
+        let _ = self.file.set_len(0);
+    }
+
     /// The pixels from `first` on, as far as they are kept.
     pub fn kept(&mut self, first: u32) -> Option<Run> {
         if let Some(run) = self.waiting.iter().rev().find(|run| run.pixels.start == first) {
@@ -204,14 +209,8 @@ impl Ledger {
             return Ok(());
         }
         let end = self.file.seek(SeekFrom::End(0))?;
-        let mut bytes = if end == 0 { self.head.clone() } else { Vec::new() };
         let runs = std::mem::take(&mut self.waiting);
-        for run in &runs {
-            self.places.insert(run.pixels.start, end + bytes.len() as u64);
-            bytes.extend(record(&self.head, run));
-        }
-        let written = self.file.write_all(&bytes).and_then(|()| self.file.sync_data());
-        if let Err(error) = written {
+        if let Err(error) = self.write(end, &runs) {
             // As if it had not been tried.
             let _ = self.file.set_len(end);
             for run in &runs {
@@ -220,5 +219,26 @@ impl Ledger {
             return Err(error);
         }
         Ok(())
+    }
+
+    /// Run by run, since together they may be larger than what there is room for.
+    fn write(&mut self, mut end: u64, runs: &[Run]) -> std::io::Result<()> {
+        if end == 0 {
+            self.file.write_all(&self.head)?;
+            end = self.head.len() as u64;
+        }
+        for run in runs {
+            let bytes = record(&self.head, run);
+            self.file.write_all(&bytes)?;
+            self.places.insert(run.pixels.start, end);
+            end += bytes.len() as u64;
+        }
+        self.file.sync_data()
+    }
+
+    /// Bytes of the runs that were not written.
+    #[must_use]
+    pub fn waiting(&self) -> usize {
+        self.waiting.iter().map(|run| run.sums.len() * PIXEL).sum()
     }
 }

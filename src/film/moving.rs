@@ -15,7 +15,14 @@ pub struct Moving {
 
 /// The encoder keeps its writer for itself.
 #[derive(Debug, Clone, Default)]
-struct Bytes(Arc<Mutex<Vec<u8>>>);
+pub(super) struct Bytes(Arc<Mutex<Vec<u8>>>);
+
+impl Bytes {
+    /// What was written.
+    pub(super) fn take(&self) -> Vec<u8> {
+        std::mem::take(&mut *self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
 
 impl Write for Bytes {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
@@ -63,6 +70,6 @@ impl Moving {
     /// If there are less pictures than were announced.
     pub fn finish(self) -> Result<Vec<u8>, String> {
         self.writer.finish().map_err(|error| error.to_string())?;
-        Ok(std::mem::take(&mut *self.bytes.0.lock().unwrap_or_else(PoisonError::into_inner)))
+        Ok(self.bytes.take())
     }
 }

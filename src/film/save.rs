@@ -1,12 +1,14 @@
 //! a picture -> a file, whole or not at all
 
-use std::io::{Cursor, Write as _};
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use image::{ImageFormat, RgbImage};
+use image::RgbImage;
 
-use super::stamp;
+use super::moving::Bytes;
+use super::rows::Rows;
+use super::whole::Whole;
 
 /// Why a picture has not been written.
 #[derive(Debug, thiserror::Error)]
@@ -66,34 +68,12 @@ impl Format {
     /// # Errors
     /// What the encoder says, if the picture does not fit the format.
     pub fn encode(self, picture: &RgbImage, stamp: &str) -> Result<Vec<u8>, String> {
-        match self {
-            Self::Png => encode_png(picture, stamp).map_err(|error| error.to_string()),
-            Self::Tga => {
-                let mut bytes = Cursor::new(Vec::new());
-                picture.write_to(&mut bytes, ImageFormat::Tga).map_err(|error| error.to_string())?;
-                Ok(stamp::into_tga(bytes.into_inner(), stamp))
-            }
-            Self::Exr => Err("an OpenEXR file is made of a film, not of a picture of 8 bits".to_owned()),
-            Self::Ppm => {
-                let (width, height) = picture.dimensions();
-                let mut bytes = format!("P6\n{}{width} {height}\n255\n", stamp::for_ppm(stamp)).into_bytes();
-                bytes.extend_from_slice(picture);
-                Ok(bytes)
-            }
-        }
+        let bytes = Bytes::default();
+        let mut rows = Rows::new(self, bytes.clone(), picture.dimensions().into(), stamp)?;
+        rows.push(picture)?;
+        rows.finish()?;
+        Ok(bytes.take())
     }
-}
-
-fn encode_png(picture: &RgbImage, stamp: &str) -> Result<Vec<u8>, png::EncodingError> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, picture.width(), picture.height());
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    stamp::into_png(&mut encoder, stamp)?;
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(picture)?;
-    writer.finish()?;
-    Ok(bytes)
 }
 
 /// Writes a picture in the format of its name's ending, whole or not at all.
@@ -108,13 +88,13 @@ pub fn write_whole(path: &Path, picture: &RgbImage) -> Result<(), Error> {
 
 /// Writes a file, whole or not at all.
 ///
-/// Written beside its target, flushed to the disk, and only then given its name: `image`'s own `save` returned Ok for a
-/// truncated file on a full disk.
-///
 /// # Errors
 /// If the folder or disk refuses; what stood there before is then untouched.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    try_replace(path, bytes).map_err(|source| Error::Write { path: path.to_owned(), source })
+    let mut file = Whole::begin(path)?;
+    // What is refused here, the end tells.
+    let _ = file.write_all(bytes);
+    file.finish().map(|_| ())
 }
 
 /// The folder that a file is in.
@@ -123,8 +103,8 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-const PREFIX: &str = ".twinlight-";
-const SUFFIX: &str = ".part";
+pub(super) const PREFIX: &str = ".twinlight-";
+pub(super) const SUFFIX: &str = ".part";
 /// A file is written within seconds; one that is this old has lost its process.
 const OLD: Duration = Duration::from_hours(1);
 
@@ -138,29 +118,4 @@ pub fn sweep(folder: &Path) {
             let _ = std::fs::remove_file(entry.path());
         }
     }
-}
-
-fn try_replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let folder = folder_of(path);
-    if path.is_dir() {
-        return Err(std::io::Error::other("a folder has this name"));
-    }
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX).suffix(SUFFIX);
-    #[cfg(unix)]
-    {
-        // As an ordinary new file would get it: what the umask leaves of this.
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.flush()?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|e| e.error)?;
-    // So that the name too survives a power cut; not every file system can be asked.
-    if let Ok(folder) = std::fs::File::open(folder) {
-        let _ = folder.sync_all();
-    }
-    Ok(())
 }

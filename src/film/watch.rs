@@ -94,3 +94,37 @@ impl<F: FnMut(f64)> Watch for F {
         ControlFlow::Continue(())
     }
 }
+
+/// One who watches the whole, seen from a part of it.
+pub struct Share<'a> {
+    watch: &'a mut dyn Watch,
+    /// The fraction of the whole that is before the part, and the part's own.
+    before: f64,
+    length: f64,
+    /// Whether the whole was stopped here.
+    pub stopped: bool,
+}
+
+impl<'a> Share<'a> {
+    /// A part that begins at one fraction of the whole and is so long.
+    pub fn new(watch: &'a mut dyn Watch, before: f64, length: f64) -> Self {
+        Self { watch, before, length, stopped: false }
+    }
+}
+
+impl Watch for Share<'_> {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        let flow = self.watch.done(self.before + fraction * self.length);
+        // What is done cannot be stopped any more.
+        self.stopped |= flow.is_break() && fraction < 1.0;
+        flow
+    }
+
+    fn kept(&mut self, first: u32) -> Option<Run> {
+        self.watch.kept(first)
+    }
+
+    fn keep(&mut self, run: &Run) {
+        self.watch.keep(run);
+    }
+}

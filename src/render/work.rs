@@ -1,22 +1,20 @@
 //! a scene and a method -> the tables of one picture, and what they are known by
 
-use std::ops::Range;
+mod layers;
 
-use glam::Vec3;
+use std::ops::{ControlFlow, Range};
 
 use super::{Error, Good};
-use crate::cpu::first::first;
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
 use crate::film::ledger::Subject;
-use crate::film::pass::{Layer, Pass, Values};
-use crate::film::{Film, Transfer, Watch};
+use crate::film::{Band, Transfer, Watch};
 use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
 use crate::prepare::{draw, prepare};
 use crate::raster;
 use crate::scene::{Method, Reach, Scene};
-use crate::tables::{Drawing, MOST_LENSES, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW, Tables};
+use crate::tables::{Drawing, MOST_LENSES, NONE, Tables};
 use crate::trace::{BLOCK, Part};
 
 /// One picture, made ready: all that a backend reads.
@@ -28,6 +26,8 @@ pub struct Work {
     rows: Range<u32>,
     /// When a traced picture is good enough.
     good: Good,
+    /// Bytes that may be taken.
+    pub(super) most: u64,
     /// What of the scene is not in the picture, a sentence each.
     pub(super) notes: Vec<String>,
 }
@@ -110,8 +110,8 @@ impl Work {
                 Kind::Drawn(Box::new(drawing))
             }
         };
-        let transfer = scene.film.transfer;
-        Ok(Self { kind, transfer, columns: 0..width, rows: 0..height, good: Good::default(), notes })
+        let (transfer, most) = (scene.film.transfer, reach.most());
+        Ok(Self { kind, transfer, columns: 0..width, rows: 0..height, good: Good::default(), most, notes })
     }
 
     /// The same for a rectangle of the picture alone.
@@ -194,123 +194,69 @@ impl Work {
     /// What runs of the picture belong to; nothing where none are kept.
     #[must_use]
     pub fn subject(&self, stamp: &str) -> Option<Subject> {
-        let Kind::Traced(tables, samples) = &self.kind else { return None };
-        if self.good != Good::default() {
-            return None;
-        }
+        let (width, all, samples) = match &self.kind {
+            Kind::Traced(..) if self.good != Good::default() => return None,
+            Kind::Traced(tables, samples) => (tables.view.width, tables.samples, samples.clone()),
+            Kind::Drawn(drawing) => (drawing.film()[0], drawing.samples() as u32, 0..drawing.samples() as u32),
+        };
         Some(Subject {
             stamp: stamp.to_owned(),
-            width: tables.view.width,
+            width,
             columns: self.columns.clone(),
             rows: self.rows.clone(),
-            samples: tables.samples,
+            samples: all,
             transfer: self.transfer,
             from: samples.start,
             to: samples.end,
         })
     }
 
-    /// Passes of the picture; `show` draws it with something else shown.
-    pub(super) fn layers(
+    /// So many rows at a time, from the top.
+    pub(super) fn on_gpu(
         &self,
-        film: &Film,
-        wanted: &[Pass],
-        mut show: impl FnMut(&Work) -> Result<Film, Error>,
-    ) -> Result<Vec<Layer>, Error> {
-        let mut layers: Vec<Layer> = wanted.iter().filter_map(|&pass| Layer::of(film, pass)).collect();
-        let wanted = wanted.iter().copied().filter(|pass| Layer::of(film, *pass).is_none());
+        gpu: &Gpu,
+        sources: &Sources,
+        height: u32,
+        watch: &mut dyn Watch,
+        each: &mut dyn FnMut(Band) -> ControlFlow<()>,
+    ) -> Result<(), gpu::Error> {
         match &self.kind {
-            Kind::Traced(tables, _) => {
-                let wanted: Vec<_> = wanted.collect();
-                if wanted.is_empty() {
-                    return Ok(layers);
-                }
-                let first = first(tables, self.columns.clone(), self.rows.clone());
-                layers.extend(wanted.into_iter().map(|pass| {
-                    let values = match pass {
-                        Pass::Normal => Values::Three(first.iter().map(|f| f.normal).collect()),
-                        Pass::Albedo => Values::Three(first.iter().map(|f| f.albedo).collect()),
-                        Pass::Shadow => Values::One(first.iter().map(|f| f.shadow).collect()),
-                        _ => Values::One(first.iter().map(|f| f.depth).collect()),
-                    };
-                    Layer { pass, values }
-                }));
-            }
-            Kind::Drawn(drawing) => {
-                for pass in wanted {
-                    if pass == Pass::Variance {
-                        return Err(Error::Untold("the variance"));
-                    }
-                    let film = show(&self.showing(drawing, pass))?;
-                    let seen = film.ids().iter().map(|id| *id != NONE);
-                    let shown = film.sums().iter().map(|sum| Vec3::new(sum[0], sum[1], sum[2]) / sum[3]).zip(seen);
-                    let reach = drawing.canvas.reach;
-                    let one = |value: fn(f32, f32) -> f32, nothing: f32| {
-                        let values = shown.clone().map(|(v, seen)| if seen { value(v.x, reach) } else { nothing });
-                        Values::One(values.collect())
-                    };
-                    let three = |value: fn(Vec3) -> Vec3| {
-                        let values = shown.clone().map(|(v, seen)| if seen { value(v) } else { Vec3::ZERO });
-                        Values::Three(values.collect())
-                    };
-                    let values = match pass {
-                        Pass::Normal => three(|v| v * 2.0 - 1.0),
-                        Pass::Albedo => three(|v| v),
-                        Pass::Shadow => one(|v, _| v, 0.0),
-                        // What is shown is reach / (reach + depth).
-                        _ => one(|v, reach| reach / v - reach, f32::INFINITY),
-                    };
-                    layers.push(Layer { pass, values });
-                }
-            }
-        }
-        Ok(layers)
-    }
-
-    /// The drawing of one sample that shows a pass instead of colors.
-    fn showing(&self, drawing: &Drawing, pass: Pass) -> Self {
-        let mut drawing = drawing.clone();
-        drawing.take_one_sample();
-        drawing.canvas.show = match pass {
-            Pass::Normal => SHOW_NORMAL,
-            Pass::Albedo => SHOW_ALBEDO,
-            Pass::Shadow => SHOW_SHADOW,
-            _ => SHOW_DEPTH,
-        };
-        if pass != Pass::Shadow {
-            // No light is asked, so none needs its shadows.
-            (drawing.lenses, drawing.lamps) = (Vec::new(), Vec::new());
-        }
-        let kind = Kind::Drawn(Box::new(drawing));
-        let (columns, rows) = (self.columns.clone(), self.rows.clone());
-        Self { kind, transfer: self.transfer, columns, rows, good: Good::default(), notes: Vec::new() }
-    }
-
-    pub(super) fn on_gpu(&self, gpu: &Gpu, sources: &Sources, watch: &mut dyn Watch) -> Result<Film, gpu::Error> {
-        match &self.kind {
-            Kind::Traced(tables, samples) => {
-                self.good.trace(&mut GpuTrace::new(gpu, sources, tables)?, tables, &self.part(samples), watch)
-            }
+            Kind::Traced(tables, samples) => self.good.trace(
+                &mut GpuTrace::new(gpu, sources, tables)?,
+                tables,
+                &self.part(samples),
+                height,
+                watch,
+                each,
+            ),
             Kind::Drawn(drawing) => {
                 let mut stages = GpuRaster::new(gpu, sources, drawing)?;
-                raster::part(&mut stages, drawing, &[self.columns.clone(), self.rows.clone()], watch)
+                raster::bands(&mut stages, drawing, &self.rectangle(), height, watch, each)
             }
         }
     }
 
-    pub(super) fn on_cpu(&self, watch: &mut dyn Watch) -> Film {
-        match &self.kind {
+    /// The same on the CPU.
+    pub(super) fn on_cpu(&self, height: u32, watch: &mut dyn Watch, each: &mut dyn FnMut(Band) -> ControlFlow<()>) {
+        let Ok(()) = match &self.kind {
             Kind::Traced(tables, samples) => {
-                let Ok(film) = self.good.trace(&mut CpuTrace::new(tables), tables, &self.part(samples), watch);
-                film
+                self.good.trace(&mut CpuTrace::new(tables), tables, &self.part(samples), height, watch, each)
             }
             Kind::Drawn(drawing) => {
-                let mut stages = CpuRaster::new(drawing);
-                let Ok(film) =
-                    raster::part(&mut stages, drawing, &[self.columns.clone(), self.rows.clone()], watch);
-                film
+                raster::bands(&mut CpuRaster::new(drawing), drawing, &self.rectangle(), height, watch, each)
             }
+        };
+    }
+
+    /// Leaves room for so many rows, where they are drawn; that does not show.
+    pub(super) fn draw_at_once(&mut self, rows: u32) {
+        if let Kind::Drawn(drawing) = &mut self.kind {
+            drawing.most = drawing.most.min(rows.saturating_mul(self.columns.len() as u32));
         }
+    }
+
+    fn rectangle(&self) -> [Range<u32>; 2] {
+        [self.columns.clone(), self.rows.clone()]
     }
 
     fn part(&self, samples: &Range<u32>) -> Part {

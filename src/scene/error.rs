@@ -23,7 +23,7 @@ pub enum Error {
     #[error("{0}")]
     Text(Box<Complaint>),
     /// The picture would not fit into memory.
-    #[error("a film of {}x{} needs {needed} MiB, and {most} MiB of memory may be taken; render it smaller", size[0], size[1])]
+    #[error("a film of {}x{} needs at least {needed} MiB, and {most} MiB of memory may be taken; render it smaller", size[0], size[1])]
     Memory {
         /// The film's width and height.
         size: [u32; 2],

@@ -205,11 +205,15 @@ impl Resolver<'_> {
     }
 }
 
+/// The fewest rows that a film has room for.
+const LEAST_ROWS: u32 = 64;
+
 /// Whether a film of this size fits into the memory that may be taken, with room for all else.
 pub(super) fn fits(size: [u32; 2], reach: &Reach) -> Result<(), Error> {
     const MIB: u64 = 1 << 20;
     let pixels = u64::from(size[0]) * u64::from(size[1]);
-    let needed = Film::bytes(size[0], size[1]);
+    // What does not fit at once is made in bands.
+    let needed = Film::bytes(size[0], size[1].min(LEAST_ROWS));
     let most = reach.most();
     // Pixels are counted in 32 bits.
     if pixels >= 1 << 30 || needed > most {

@@ -10,6 +10,7 @@ mod branches;
 mod brute;
 mod bvh;
 mod cli;
+mod cli_bands;
 mod cli_batch;
 mod cli_explain;
 mod cli_parts;

@@ -8,7 +8,7 @@ use std::time::Duration;
 use twinlight::film::ledger::{Ledger, Reader};
 use twinlight::film::pass::Pass;
 use twinlight::film::{self, Format, stamp_of};
-use twinlight::render::{Good, Rendered, Renderer, Work};
+use twinlight::render::{Good, Renderer, Work};
 use twinlight::scene::{MOST_SAMPLES, Method, Scene, Source};
 use twinlight::trace::BLOCK;
 
@@ -19,7 +19,8 @@ use crate::plan::Picture;
 use crate::progress::Progress;
 use crate::render::Arguments;
 use crate::stop::Stop;
-use crate::writer::{Body, Made, Report, STDOUT, Told, Writer};
+use crate::told::Sum;
+use crate::writer::{Body, Made, STDOUT, Writer};
 
 /// All that a call's pictures share.
 pub(crate) struct Call<'a> {
@@ -29,10 +30,18 @@ pub(crate) struct Call<'a> {
 }
 
 /// A frame that is ready to be made.
-struct Ready {
-    scene: Scene,
-    method: Method,
-    work: Work,
+pub(crate) struct Ready {
+    pub(crate) scene: Scene,
+    pub(crate) method: Method,
+    pub(crate) work: Work,
+}
+
+impl Ready {
+    /// Where runs of the picture are kept for a later try, if they can be.
+    pub(crate) fn ledger(&self, claim: &Claim, stamp: &str) -> Option<Ledger> {
+        let subject = self.work.subject(stamp)?;
+        claim.file().and_then(|file| Ledger::open(file, &subject)).ok()
+    }
 }
 
 impl Call<'_> {
@@ -178,6 +187,10 @@ impl Call<'_> {
             self.part(picture, range, first, &stamp, claim, renderer, progress, writer)?;
             return Ok(true);
         }
+        if let Some(rows) = self.band(picture, &first) {
+            self.in_bands(picture, rows, first, &stamp, claim, renderer, progress, writer)?;
+            return Ok(true);
+        }
         let rate = self.sources[picture.scene].frames().map_or(24.0, |(_, rate)| rate);
         let count = picture.frames.len();
         let moving = (count > 1).then_some((rate, count as u32));
@@ -193,8 +206,9 @@ impl Call<'_> {
                 None => self.ready(picture, frame)?,
             };
             let mut eye = Eye::new(self.stop, progress, number, count);
-            if let (Some(claim), Some(subject), None) = (&claim, ready.work.subject(&stamp), moving) {
-                eye.ledger = claim.file().and_then(|file| Ledger::open(file, &subject)).ok();
+            // Of a frame that is drawn at once nothing is kept.
+            if let (Some(claim), Method::Trace, None) = (&claim, ready.method, moving) {
+                eye.ledger = ready.ledger(claim, &stamp);
             }
             let made = renderer.make(&ready.work, &mut eye);
             // Of a frame that is whole nothing needs to be kept, and its picture needs the room.
@@ -205,7 +219,7 @@ impl Call<'_> {
             let layers = renderer.layers(&ready.work, &rendered.film, &self.arguments.passes, &mut eye);
             let layers = layers.map_err(|error| self.stopped(error))?;
             let stamp = restamped(&stamp, renderer);
-            let mut told = self.told(picture, &ready, &stamp, &rendered, progress);
+            let mut told = self.told(picture, &ready, &stamp, &Sum::of(&rendered), progress);
             if count > 1 {
                 told.sentence = format!("{} ({count} frames; this is the last one's time)", told.sentence);
             }
@@ -213,7 +227,7 @@ impl Call<'_> {
             let film = Box::new(rendered.film);
             let body = Body::Frame { film, transfer: ready.scene.film.transfer, layers, files, moving };
             let claim = if number + 1 == count { claim.take() } else { None };
-            if !writer.take(Made { body, told, claim }) {
+            if !writer.take(Made { body, told: Some(told), claim }) {
                 break;
             }
         }
@@ -258,71 +272,19 @@ impl Call<'_> {
         }
         let bytes = film::ledger::written(&subject, &runs);
         let ready = Ready { work, ..ready };
-        let told = self.told(picture, &ready, stamp, &rendered, progress);
+        let told = Some(self.told(picture, &ready, stamp, &Sum::of(&rendered), progress));
         let file = picture.file.clone().unwrap_or_default();
         writer.take(Made { body: Body::Part { file, bytes }, told, claim });
         Ok(())
     }
 
     /// Why work was not done: the signal or the deadline, if there was one.
-    fn stopped(&self, error: twinlight::render::Error) -> Failure {
+    pub(crate) fn stopped(&self, error: twinlight::render::Error) -> Failure {
         self.stop.why().unwrap_or(error.into())
-    }
-
-    /// What is told of a picture that was made.
-    fn told(
-        &self,
-        picture: &Picture,
-        ready: &Ready,
-        stamp: &str,
-        rendered: &Rendered,
-        progress: &Progress,
-    ) -> Told {
-        for note in &rendered.notes {
-            progress.say(&format!("note: {note}"));
-        }
-        let broken = rendered.film.broken();
-        if broken > 0 {
-            progress.say(&format!("warning: {broken} pixels are not finite numbers and are drawn black"));
-        }
-        let mut report = self.report(picture, ready, stamp);
-        let (seconds, samples) = (rendered.took.as_secs_f64(), rendered.film.mean_samples());
-        let more = [
-            ("backend", rendered.by.clone().into()),
-            ("seconds", seconds.into()),
-            ("samples", samples.into()),
-            ("notes", rendered.notes.clone().into()),
-            ("broken", broken.into()),
-            ("made", true.into()),
-        ];
-        report.extend(more.map(|(name, value)| (name.to_owned(), value)));
-        let (name, [width, height]) = (picture.name(), ready.work.size());
-        let made = format!("{name}: {width}x{height} in {seconds:.2} s on {}", rendered.by);
-        let told = self.arguments.time.is_some() || self.arguments.noise.is_some();
-        let sentence = if told { format!("{made}, {samples} samples a pixel") } else { made };
-        Told { report, sentence }
-    }
-
-    /// What is told of every picture, made or not.
-    fn report(&self, picture: &Picture, ready: &Ready, stamp: &str) -> Report {
-        let method = if ready.method == Method::Trace { "trace" } else { "raster" };
-        let about = serde_json::json!({
-            "file": picture.name(),
-            "scene": self.sources[picture.scene].path().display().to_string(),
-            "frames": picture.frames,
-            "size": ready.work.size(),
-            "method": method,
-            "inputs": stamp.split(' ').next(),
-            "made": false,
-        });
-        match about {
-            serde_json::Value::Object(about) => about,
-            _ => Report::new(),
-        }
     }
 }
 
 /// The stamp by who has done the work: a GPU that fails is left for the CPU.
-fn restamped(stamp: &str, renderer: &Renderer) -> String {
+pub(crate) fn restamped(stamp: &str, renderer: &Renderer) -> String {
     format!("{} {}", stamp.split(' ').next().unwrap_or_default(), renderer.class())
 }

@@ -11,6 +11,8 @@ use crate::stop::Stop;
 
 /// What a process that is killed may lose.
 const EVERY: Duration = Duration::from_secs(2);
+/// Bytes that wait to be kept: of a large picture much is made within that time.
+const MOST_WAITING: usize = 64 << 20;
 
 /// Looks on while a frame is made.
 pub(crate) struct Eye<'a> {
@@ -36,7 +38,7 @@ impl<'a> Eye<'a> {
         self.flushed = Instant::now();
         if let Some(Err(error)) = self.ledger.as_mut().map(Ledger::flush) {
             self.progress.say(&format!("warning: what is done cannot be kept for a later try: {error}"));
-            self.ledger = None;
+            self.ledger.take().into_iter().for_each(Ledger::forget);
         }
     }
 }
@@ -60,6 +62,9 @@ impl Watch for Eye<'_> {
         }
         if let Some(ledger) = &mut self.ledger {
             ledger.keep(run);
+            if ledger.waiting() > MOST_WAITING {
+                self.flush();
+            }
         }
     }
 }

@@ -47,7 +47,11 @@ impl Failure {
             Self::Scene(SceneError::Text(complaint)) if complaint.of_command_line() => 2,
             Self::Scene(SceneError::Memory { .. })
             | Self::Gpu(gpu::Error::NoRoom { .. })
-            | Self::Render(render::Error::Memory { .. } | render::Error::Gpu(gpu::Error::NoRoom { .. })) => 6,
+            | Self::Render(
+                render::Error::Memory { .. }
+                | render::Error::Film { .. }
+                | render::Error::Gpu(gpu::Error::NoRoom { .. }),
+            ) => 6,
             Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Usage(_)
             | Self::Sizes(_)
@@ -74,6 +78,7 @@ impl Failure {
                         | render::Error::Samples(_)
                         | render::Error::Untold(_)
                         | render::Error::Memory { .. }
+                        | render::Error::Film { .. }
                 )
         )
     }

@@ -1,5 +1,6 @@
 //! `twinlight`: arguments -> a job -> a picture or a sentence.
 
+mod bands;
 mod call;
 mod check;
 mod claim;
@@ -16,6 +17,7 @@ mod plan;
 mod progress;
 mod render;
 mod stop;
+mod told;
 mod view;
 mod writer;
 

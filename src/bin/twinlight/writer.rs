@@ -6,7 +6,7 @@ use std::thread::JoinHandle;
 
 use indicatif::ProgressBar;
 use twinlight::film::pass::{Layer, Pass};
-use twinlight::film::{self, Film, Format, Moving, Transfer, exr, replace};
+use twinlight::film::{self, Band, Film, Format, Growing, Moving, Transfer, exr, replace};
 
 use crate::claim::Claim;
 use crate::job::{Failure, say};
@@ -28,7 +28,8 @@ pub(crate) struct Told {
 #[derive(Debug)]
 pub(crate) struct Made {
     pub(crate) body: Body,
-    pub(crate) told: Told,
+    /// Of a picture that is whole.
+    pub(crate) told: Option<Told>,
     /// Given back once all is written.
     pub(crate) claim: Option<Claim>,
 }
@@ -47,6 +48,8 @@ pub(crate) enum Body {
         /// Pictures a second and how many there are, in an animated one.
         moving: Option<(f32, u32)>,
     },
+    /// Some rows of a picture of this size; the first ones begin the file.
+    Band { band: Box<Band>, transfer: Transfer, file: PathBuf, stamp: String, size: [u32; 2] },
 }
 
 /// A thread that writes. One film waits for it at most, so memory is bounded.
@@ -85,9 +88,23 @@ struct Begun {
 
 fn write(all: &Receiver<Made>, json: bool, bar: &ProgressBar) -> Result<(), Failure> {
     let mut begun: Option<Begun> = None;
+    let mut bands: Option<Growing> = None;
     for made in all {
         let files = match made.body {
             Body::Part { file, bytes } => vec![(file, bytes)],
+            Body::Band { band, transfer, file, stamp, size } => {
+                let begun = if band.top == 0 { Some(Growing::begin(&file, size, &stamp)?) } else { bands.take() };
+                let Some(mut begun) = begun else { continue };
+                begun.push(&band.film.to_rgb8(transfer))?;
+                if band.top + band.film.height() < size[1] {
+                    bands = Some(begun);
+                } else {
+                    let hash = begun.finish()?;
+                    end(made.told, hash, json, bar)?;
+                    made.claim.into_iter().for_each(Claim::done);
+                }
+                continue;
+            }
             Body::Frame { film, transfer, files, moving: Some((rate, count)), .. } => {
                 let Some((path, stamp, _)) = files.into_iter().next() else { continue };
                 let wrong = |why: String| film::Error::Encode { path: path.clone(), why };
@@ -123,14 +140,20 @@ fn write(all: &Receiver<Made>, json: bool, bar: &ProgressBar) -> Result<(), Fail
                 replace(file, bytes)?;
             }
         }
-        bar.suspend(|| eprintln!("{}", made.told.sentence));
-        if json {
-            let mut report = made.told.report;
-            let hash = files.first().map(|(_, bytes)| blake3::hash(bytes).to_hex().to_string());
-            report.insert("hash".to_owned(), hash.into());
-            say(serde_json::Value::Object(report).to_string() + "\n")?;
-        }
+        let hash = files.first().map_or_else(|| blake3::hash(b""), |(_, bytes)| blake3::hash(bytes));
+        end(made.told, hash, json, bar)?;
         made.claim.into_iter().for_each(Claim::done);
+    }
+    Ok(())
+}
+
+/// Tells of a picture that is whole.
+fn end(told: Option<Told>, hash: blake3::Hash, json: bool, bar: &ProgressBar) -> Result<(), Failure> {
+    let Some(Told { mut report, sentence }) = told else { return Ok(()) };
+    bar.suspend(|| eprintln!("{sentence}"));
+    if json {
+        report.insert("hash".to_owned(), hash.to_hex().to_string().into());
+        say(serde_json::Value::Object(report).to_string() + "\n")?;
     }
     Ok(())
 }
