@@ -41,6 +41,9 @@ pub enum Error {
     /// The picture shows how much there is to do, and not what is seen.
     #[error("the view of the tiles counts faces, and no pixel of it has a color of its own")]
     Tiles,
+    /// The picture shows how long rays walk.
+    #[error("the view of the steps counts boxes and primitives, and no light makes a pixel of it")]
+    Steps,
 }
 
 /// A scene made ready for questions about its pixels: a light's shadows are drawn once.
@@ -89,10 +92,11 @@ impl Explainer {
     /// Makes a scene ready.
     ///
     /// # Errors
-    /// [`Error::Tiles`] if the scene shows those.
+    /// [`Error::Tiles`] and [`Error::Steps`] if the scene shows those.
     pub fn new(scene: &Scene, method: Method) -> Result<Self, Error> {
         match method {
             Method::Raster => Self::drawn(scene, Arc::new(prepare::draw(scene))),
+            Method::Trace if scene.raster.show == Show::Steps => Err(Error::Steps),
             Method::Trace => Ok(Self::traced(scene, Arc::new(prepare::prepare(scene)))),
         }
     }

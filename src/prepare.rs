@@ -18,7 +18,7 @@ use leaves::Leaves;
 use mesh::Sheet;
 
 use crate::math::vector::unit;
-use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Specular};
+use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Show, Specular};
 use crate::tables::{self, CUT_OUT, ONE_SIDED, TRIANGLE, Tables, View};
 
 /// The tables of a scene.
@@ -93,6 +93,7 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
         texels,
         lights: scene.lights.iter().map(lamp).collect(),
         few: false,
+        steps: scene.raster.show == Show::Steps,
     };
     tables.few = tables.are_few();
     tables

@@ -162,6 +162,22 @@ pub enum Show {
     Id,
     /// How many faces each tile of 16 x 16 pixels has: black none, and another color for each doubling.
     Tiles,
+    /// The faces' edges.
+    Wire,
+    /// How many boxes and primitives the ray tracer asks for each pixel's first ray: colors as for tiles.
+    Steps,
+}
+
+impl Show {
+    /// The method that shows it, if not both do.
+    #[must_use]
+    pub fn method(self) -> Option<Method> {
+        match self {
+            Self::Color => None,
+            Self::Steps => Some(Method::Trace),
+            _ => Some(Method::Raster),
+        }
+    }
 }
 
 /// What an object is made of.

@@ -29,7 +29,7 @@ pub use mesh::{CUT_OUT, Face, ONE_SIDED, Part, Vertex};
 pub use node::Node;
 pub use paint::{
     BILINEAR, Canvas, Lamp, MIPMAP, Map, NEAREST, Paint, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_COLOR, SHOW_DEPTH,
-    SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_TILES, SHOW_UV,
+    SHOW_DIFFUSE, SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_TILES, SHOW_UV, SHOW_WIRE,
 };
 pub use path::{DONE, FAR, IDLE, LIT, Path, SEEK, Waiting};
 pub use piece::{Corner, MOST_CORNERS, PLANES, Piece, Tally};
@@ -75,6 +75,8 @@ pub struct Tables {
     pub lights: Vec<Light>,
     /// Whether a frame is made by the one stage for scenes of few things ([`Tables::are_few`]).
     pub few: bool,
+    /// Whether the picture shows how many steps each ray takes.
+    pub steps: bool,
 }
 
 /// The most spheres, planes, materials and lights, each, of a scene of few things.
@@ -128,6 +130,7 @@ impl Tables {
             texels,
             lights,
             few: _,
+            steps,
         } = self;
         to(bytemuck::bytes_of(view));
         to(bytemuck::bytes_of(settings));
@@ -142,6 +145,7 @@ impl Tables {
         to(bytemuck::cast_slice(vertices));
         to(bytemuck::cast_slice(texels));
         to(bytemuck::cast_slice(lights));
+        to(&[u8::from(*steps)]);
     }
 
     /// The first [`FEW`] of everything; the rest is zero.

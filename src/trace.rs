@@ -1,7 +1,7 @@
 //! What a traced frame is: the stages, and their order.
 //!
 //! ```text
-//! pixels -> [cast -> follow -> gather] x rounds -> Film
+//! pixels -> [cast -> follow -> gather] x rounds -> Film    (or steps in the place of follow)
 //! ```
 //!
 //! A pixel's ray tree lives in a [`Path`] and can be put down after any loop turn. So one round of the three
@@ -101,6 +101,12 @@ pub trait Trace {
     /// # Errors
     /// If the stage cannot be started.
     fn follow(&mut self, paths: &mut Self::Paths, slice: &Slice) -> Result<(), Self::Error>;
+
+    /// rays -> ray trees that end at once, in the color of how many steps their walk takes
+    ///
+    /// # Errors
+    /// If the stage cannot be started.
+    fn steps(&mut self, paths: &mut Self::Paths, slice: &Slice) -> Result<(), Self::Error>;
 
     /// finished ray trees -> sums on the film
     ///
@@ -302,7 +308,11 @@ fn round<T: Trace>(
 ) -> Result<u32, T::Error> {
     let slice = Slice { first: pixels.start, count: pixels.len() as u32, samples, budget: stages.budget() };
     for _ in 0..stages.rounds() {
-        if tables.few {
+        if tables.steps {
+            stages.cast(paths, &slice)?;
+            stages.steps(paths, &slice)?;
+            stages.gather(paths, &slice)?;
+        } else if tables.few {
             stages.few(paths, &slice)?;
         } else {
             stages.cast(paths, &slice)?;

@@ -2,4 +2,5 @@
 
 pub mod look;
 pub mod phong;
+pub mod scale;
 pub mod texture;

@@ -13,6 +13,7 @@ pub mod meet;
 pub mod primary;
 pub mod scatter;
 pub mod solid;
+pub mod steps;
 pub mod surface;
 pub mod tree;
 pub mod unrolled;
@@ -126,6 +127,22 @@ impl Trace for CpuTrace<'_> {
                 }
                 status
             });
+        self.status = both(self.status, told.reduce(|| SILENT, both));
+        Ok(())
+    }
+
+    fn steps(&mut self, paths: &mut Paths, _slice: &Slice) -> Result<(), Infallible> {
+        let group = GROUP as usize;
+        let tables = self.tables;
+        let deep = tables.deep as usize;
+        let stacks = paths.walks.par_chunks_mut(group * deep);
+        let told = paths.paths.par_chunks_mut(group).zip(stacks).map(|(paths, stacks)| {
+            let mut status = ONE_GROUP;
+            for (path, stack) in paths.iter_mut().zip(stacks.chunks_mut(deep)) {
+                steps::steps(tables, path, stack, &mut status);
+            }
+            status
+        });
         self.status = both(self.status, told.reduce(|| SILENT, both));
         Ok(())
     }

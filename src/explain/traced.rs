@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::things::Thing;
 use super::tree::Heard;
 use crate::cpu::trace::primary::place;
-use crate::cpu::trace::{cast::cast, few::few, follow::follow, gather::gather, walk::walk};
+use crate::cpu::trace::{cast::cast, few::few, follow::follow, gather::gather, steps::steps, walk::walk};
 use crate::film::{Film, Run};
 use crate::scene::Scene;
 use crate::tables::{DONE, Slice, Status, Tables};
@@ -192,6 +192,11 @@ impl Trace for Listening<'_> {
         if paths[0].state == DONE {
             self.samples.push(heard.sample(paths[0].radiance));
         }
+        Ok(())
+    }
+
+    fn steps(&mut self, paths: &mut Paths, _slice: &Slice) -> Result<(), Infallible> {
+        steps(self.tables, &mut paths.paths[0], &mut paths.walks, &mut self.status);
         Ok(())
     }
 

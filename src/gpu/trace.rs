@@ -34,6 +34,7 @@ pub struct GpuTrace<'a> {
     gather: Kernel,
     lay: Kernel,
     few: Option<Kernel>,
+    steps: Option<Kernel>,
     max_depth: u32,
     deep: u32,
     /// Of the block in hand, those that were made before included; and those that are not made yet.
@@ -98,6 +99,7 @@ impl<'a> GpuTrace<'a> {
             gather: Kernel::new(gpu, sources, "trace/gather")?,
             lay: Kernel::new(gpu, sources, "trace/lay")?,
             few: few.transpose()?,
+            steps: tables.steps.then(|| Kernel::new(gpu, sources, "trace/steps")).transpose()?,
             max_depth: tables.settings.max_depth,
             deep: tables.deep,
             samples: tables.samples,
@@ -208,6 +210,25 @@ impl Trace for GpuTrace<'_> {
                 Binding::new("status", &this.status),
             ];
             this.follow.dispatch(this.gpu, encoder, &bindings, slice.count)
+        })
+    }
+
+    fn steps(&mut self, paths: &mut GpuPaths, slice: &Slice) -> Result<(), Error> {
+        self.record(slice, |this, encoder| {
+            let Some(steps) = &this.steps else { return Ok(0) };
+            let bindings = [
+                Binding::new("settings", &this.settings),
+                Binding::texels("nodes", &this.nodes),
+                Binding::texels("leaves", &this.leaves),
+                Binding::texels("paints", &this.paints).optional(),
+                Binding::texels("faces", &this.faces).optional(),
+                Binding::texels("vertices", &this.vertices).optional(),
+                Binding::texels("texels", &this.texels).optional(),
+                Binding::new("slice", &this.slice),
+                Binding::new("paths", &paths.paths),
+                Binding::new("status", &this.status),
+            ];
+            steps.dispatch(this.gpu, encoder, &bindings, slice.count)
         })
     }
 

@@ -162,7 +162,8 @@ fn canvas(scene: &Scene) -> Canvas {
         filtering: filtering(settings.filter),
         blur: settings.blur,
         show: match settings.show {
-            Show::Color => tables::SHOW_COLOR,
+            // Steps are the ray tracer's.
+            Show::Color | Show::Steps => tables::SHOW_COLOR,
             Show::Depth => tables::SHOW_DEPTH,
             Show::Shadow => tables::SHOW_SHADOW,
             Show::Normal => tables::SHOW_NORMAL,
@@ -173,6 +174,7 @@ fn canvas(scene: &Scene) -> Canvas {
             Show::Specular => tables::SHOW_SPECULAR,
             Show::Id => tables::SHOW_ID,
             Show::Tiles => tables::SHOW_TILES,
+            Show::Wire => tables::SHOW_WIRE,
         },
         reach: scene.camera.position.distance(scene.camera.look_at),
     }

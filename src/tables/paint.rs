@@ -121,3 +121,5 @@ pub const SHOW_SPECULAR: u32 = 8;
 pub const SHOW_ID: u32 = 9;
 /// How many faces each tile has.
 pub const SHOW_TILES: u32 = 10;
+/// The faces' edges.
+pub const SHOW_WIRE: u32 = 11;

@@ -273,12 +273,10 @@ impl Desk {
         (self.scene.camera, self.now.pivot) = (state.camera, state.pivot);
     }
 
-    /// What is shown instead of the picture is the rasterizer's.
+    /// What is shown instead of the picture is one method's.
     fn show(&mut self, show: Show) {
         self.scene.raster.show = show;
-        if show != Show::Color {
-            self.method = Method::Raster;
-        }
+        self.method = show.method().unwrap_or(self.method);
     }
 
     /// What is to be seen in so many pixels at most: the film's own proportions, and never more pixels than it has.

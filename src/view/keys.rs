@@ -78,6 +78,8 @@ pub const KEYS: &[Key] = &[
     key("9", Command::Show(Show::Specular), "show the specular term"),
     key("0", Command::Show(Show::Id), "show every face in another color"),
     key("Minus", Command::Show(Show::Tiles), "show how many faces each tile has"),
+    key("Equals", Command::Show(Show::Wire), "show the faces' edges"),
+    key("Comma", Command::Show(Show::Steps), "show how many steps the ray tracer takes"),
     key("Alt+1", Command::From(From::Front), "look from the front"),
     key("Ctrl+Alt+1", Command::From(From::Back), "look from the back"),
     key("Alt+3", Command::From(From::Right), "look from the right"),

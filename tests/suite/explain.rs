@@ -234,7 +234,7 @@ fn what_is_not_right_is_seen() {
 #[test]
 fn what_is_shown_instead_of_colors_is_explained_too() {
     let mut scene = small(&root().join("scenes/stones.toml"), [61, 43], 4);
-    for show in [Show::Depth, Show::Normal, Show::Id, Show::Shadow, Show::Uv] {
+    for show in [Show::Depth, Show::Normal, Show::Id, Show::Shadow, Show::Uv, Show::Wire] {
         scene.raster.show = show;
         let film = film_of(&scene, Method::Raster);
         let explainer = Explainer::new(&scene, Method::Raster).expect("an explainer");
@@ -245,4 +245,6 @@ fn what_is_shown_instead_of_colors_is_explained_too() {
     }
     scene.raster.show = Show::Tiles;
     assert_eq!(Explainer::new(&scene, Method::Raster).err(), Some(Error::Tiles));
+    scene.raster.show = Show::Steps;
+    assert_eq!(Explainer::new(&scene, Method::Trace).err(), Some(Error::Steps));
 }

@@ -1,10 +1,11 @@
 //! Whole frames: GPU against CPU, and portions of any size against an unbroken run.
 
+use twinlight::cpu::shade::scale::heat_of;
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::Film;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
-use twinlight::scene::Material;
+use twinlight::scene::{Material, Show};
 use twinlight::tables::NONE;
 use twinlight::trace;
 
@@ -49,6 +50,41 @@ fn a_traced_model_is_the_same_to_the_bit() {
         let met = (0..gpu.pixels()).filter(|&p| gpu.id(p) != NONE).count();
         assert!(met * 2 > gpu.pixels() as usize, "{met} pixels see something");
     }
+}
+
+#[test]
+fn steps_are_counted_the_same() {
+    for name in ["bust", "room", "pyramid"] {
+        let mut scene = small(&root().join(format!("scenes/{name}.toml")), [97, 61], 4);
+        scene.raster.show = Show::Steps;
+        let tables = tables_of(&scene);
+        let cpu = on_cpu(&tables);
+        same(&cpu, &on_gpu(&Sources::default(), &tables).expect("a film"), name);
+        let mut seen: Vec<_> = (0..cpu.pixels()).map(|p| cpu.color(p).to_array().map(f32::to_bits)).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        // The colors of four samples are mixed.
+        let colors = if name == "bust" { 20 } else { 1 };
+        assert!(seen.len() >= colors, "{name} has {} colors", seen.len());
+
+        let text =
+            Sources::default().get("trace/steps").expect("a file").replace("(found.turns)", "(found.turns + 2u)");
+        let wrong = on_gpu(&Sources::default().with("trace/steps", text), &tables).expect("a film");
+        assert!(!compare(&cpu, &wrong, Standard::Exact).expect("one size").passes(), "two steps more go unnoticed");
+    }
+}
+
+#[test]
+fn steps_are_what_a_ray_asks() {
+    // A lone plane is one question, the root of no tree the second: the scale's third color.
+    let mut scene = small(&root().join("scenes/room.toml"), [9, 7], 1);
+    scene.raster.show = Show::Steps;
+    scene.spheres.clear();
+    scene.planes.truncate(1);
+    let film = on_cpu(&tables_of(&scene));
+    let one = heat_of(film.pixels());
+    assert_ne!(film.color(0), one);
+    assert_eq!(film.color(0), heat_of(2));
 }
 
 #[test]

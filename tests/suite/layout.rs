@@ -229,6 +229,7 @@ fn constants_are_the_same() {
         SHOW_SPECULAR,
         SHOW_ID,
         SHOW_TILES,
+        SHOW_WIRE,
         AS_IT_IS,
         SRGB
     );

@@ -258,6 +258,10 @@ impl Trace for Sliced<'_> {
         self.stages.follow(paths, slice)
     }
 
+    fn steps(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        self.stages.steps(paths, slice)
+    }
+
     fn gather(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
         self.stages.gather(paths, slice)
     }

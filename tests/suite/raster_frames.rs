@@ -1,6 +1,6 @@
 //! Whole drawn frames: GPU against CPU in every bit.
 
-use twinlight::cpu::raster::heat::HEATS;
+use twinlight::cpu::shade::scale::HEATS;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::Wanted;
 use twinlight::gpu::wgsl::Sources;
@@ -84,6 +84,7 @@ fn every_view_and_filter_is_the_same_to_the_bit() {
         Show::Specular,
         Show::Id,
         Show::Tiles,
+        Show::Wire,
     ];
     let filters = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap];
     for (i, show) in shows.into_iter().enumerate() {

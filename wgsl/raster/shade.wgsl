@@ -39,6 +39,19 @@ fn place_of(pixel: u32) -> vec2u {
     return vec2u(vec2i(column, row));
 }
 
+// How steeply a weight grows from a pixel to its neighbors, and so how many pixels from it the weight is zero.
+fn away(w: f32, across: f32, below: f32) -> f32 {
+    let x = hold(across - w);
+    let y = hold(below - w);
+    return w / max(sqrt(hold(x * x) + hold(y * y)), 1e-10);
+}
+
+// 0 on a face's edges, 1 from a pixel and a quarter away from them; from its weights in a pixel, right of it and below.
+fn off_edges(w: vec3f, across: vec3f, below: vec3f) -> f32 {
+    let nearest = min(away(w.x, across.x, below.x), min(away(w.y, across.y, below.y), away(w.z, across.z, below.z)));
+    return clamp(hold(nearest) - 0.25, 0.0, 1.0);
+}
+
 fn color_at(pixel: u32, id: u32) -> vec3f {
     let start = vec2u(lens.left, lens.top) % REGION;
     let at = vec2f(start + place_of(pixel)) + 0.5;
@@ -53,8 +66,10 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let w = weights_inside(ca, cb, cc, at);
     let p = sum_by(w, a.position, b.position, c.position);
     let uv = uv_by(w, a, b, c);
-    let right = uv_by(weights(ca, cb, cc, at + vec2f(1.0, 0.0)), a, b, c);
-    let down = uv_by(weights(ca, cb, cc, at + vec2f(0.0, 1.0)), a, b, c);
+    let across = weights(ca, cb, cc, at + vec2f(1.0, 0.0));
+    let below = weights(ca, cb, cc, at + vec2f(0.0, 1.0));
+    let right = uv_by(across, a, b, c);
+    let down = uv_by(below, a, b, c);
 
     let look = look_of(paint, uv, right, down);
     let albedo = paint.color * look.color;
@@ -97,6 +112,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         case SHOW_AMBIENT: { return canvas.ambient; }
         case SHOW_DIFFUSE: { return diffuse * albedo; }
         case SHOW_SPECULAR: { return specular * albedo; }
+        case SHOW_WIRE: { return vec3f((0.15 + 0.6 * max(dot(n, v), 0.0)) * off_edges(w, across, below)); }
         case SHOW_ID: { return color_of(id); }
         default: { return (diffuse + specular) * albedo + canvas.ambient; }
     }

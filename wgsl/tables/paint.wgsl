@@ -76,6 +76,7 @@ const SHOW_DIFFUSE: u32 = 7u;
 const SHOW_SPECULAR: u32 = 8u;
 const SHOW_ID: u32 = 9u;
 const SHOW_TILES: u32 = 10u;
+const SHOW_WIRE: u32 = 11u;
 
 @group(0) @binding(14) var paints: texture_2d<u32>;
 @group(0) @binding(15) var lamps: texture_2d<u32>;

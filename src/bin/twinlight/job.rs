@@ -55,7 +55,7 @@ pub(crate) struct Job {
     /// Rays in a row, the first one counted [default: the scene's].
     #[arg(long, value_name = "N", value_parser = depth)]
     depth: Option<u32>,
-    /// What the rasterizer shows [default: the picture].
+    /// What is shown, by the method that can [default: the picture].
     #[arg(long, value_name = "WHAT")]
     show: Option<Show>,
 }
@@ -71,10 +71,19 @@ impl Job {
         if let Some(samples) = self.samples {
             scene.raster.samples = samples.isqrt().min(16).pow(2);
         }
+        let method = scene.method;
         scene.raster.show = self.show.unwrap_or_default();
         scene.trace.depth = self.depth.unwrap_or(scene.trace.depth);
-        let method = self.method.unwrap_or(scene.method);
-        Ok((scene, method))
+        let shows = scene.raster.show.method();
+        if let (Some(asked), Some(shows)) = (self.method, shows)
+            && asked != shows
+        {
+            let [asked, shows] = [asked, shows].map(|method| format!("{method:?}").to_lowercase());
+            let why =
+                format!("what --show asks for is shown by --method {shows}, and --method {asked} is asked for");
+            return Err(Failure::Usage(why));
+        }
+        Ok((scene, self.method.or(shows).unwrap_or(method)))
     }
 
     /// The method that is asked for, and what is to be shown.

@@ -13,13 +13,25 @@ use crate::cpu::witness::{Fragment, Term, Witness};
 use crate::math::vector::unit;
 use crate::tables::{
     CUT_OUT, Drawing, Lens, NONE, ONE_SIDED, POINT, REGION, SHOW_ALBEDO, SHOW_AMBIENT, SHOW_DEPTH, SHOW_DIFFUSE,
-    SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV,
+    SHOW_ID, SHOW_NORMAL, SHOW_SHADOW, SHOW_SPECULAR, SHOW_UV, SHOW_WIRE,
 };
 
 /// Another color for every number.
 fn color_of(id: u32) -> Vec3 {
     let [_, blue, green, red] = id.wrapping_mul(2_654_435_769).to_le_bytes();
     Vec3::from_array([red, green, blue].map(|c| f32::from(c) / 255.0 * 0.75 + 0.25))
+}
+
+/// How steeply a weight grows from a pixel to its neighbors, and so how many pixels from it the weight is zero.
+fn away(w: f32, across: f32, below: f32) -> f32 {
+    let (x, y) = (across - w, below - w);
+    w / (x * x + y * y).sqrt().max(1e-10)
+}
+
+/// 0 on a face's edges, 1 from a pixel and a quarter away from them; from its weights in a pixel, right of it and below.
+fn off_edges(w: Vec3, across: Vec3, below: Vec3) -> f32 {
+    let nearest = [0, 1, 2].map(|i| away(w[i], across[i], below[i])).into_iter().fold(f32::INFINITY, f32::min);
+    (nearest - 0.25).clamp(0.0, 1.0)
 }
 
 fn color_at(
@@ -40,11 +52,8 @@ fn color_at(
     let clip: [Vec4; 3] = corners.map(|vertex| to_clip(lens, vertex.position));
     let w = weights_inside(lens, clip, at);
     let p = sum_by(w, a.position, b.position, c.position);
-    let uvs = [
-        uv_by(w, corners),
-        uv_by(weights(lens, clip, at + Vec2::X), corners),
-        uv_by(weights(lens, clip, at + Vec2::Y), corners),
-    ];
+    let (across, below) = (weights(lens, clip, at + Vec2::X), weights(lens, clip, at + Vec2::Y));
+    let uvs = [w, across, below].map(|w| uv_by(w, corners));
     let look = look_of(&drawing.texels, canvas.filtering, paint, uvs, witness);
     let albedo = paint.color * look.color;
     let smooth = unit(sum_by(w, a.normal, b.normal, c.normal));
@@ -98,6 +107,7 @@ fn color_at(
         SHOW_AMBIENT => canvas.ambient,
         SHOW_DIFFUSE => diffuse * albedo,
         SHOW_SPECULAR => specular * albedo,
+        SHOW_WIRE => Vec3::splat((0.15 + 0.6 * n.dot(v).max(0.0)) * off_edges(w, across, below)),
         SHOW_ID => color_of(id),
         _ => (diffuse + specular) * albedo + canvas.ambient,
     }

@@ -10,7 +10,7 @@ use crate::cpu::{CpuSums, Wides};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuPaths, GpuSums, GpuTrace, Screen};
 use crate::prepare::{prepare, view};
-use crate::scene::Scene;
+use crate::scene::{Scene, Show};
 use crate::tables::{Print, Tables};
 use crate::trace::Paths;
 use crate::trace::grow::Growth;
@@ -143,5 +143,11 @@ fn sees_the_same(a: &Scene, b: &Scene) -> bool {
     film.size = b.film.size;
     let mut trace = a.trace.clone();
     trace.samples = b.trace.samples;
-    film == b.film && trace == b.trace && a.materials == b.materials && a.lights == b.lights && a.planes == b.planes
+    let steps = |scene: &Scene| scene.raster.show == Show::Steps;
+    steps(a) == steps(b)
+        && film == b.film
+        && trace == b.trace
+        && a.materials == b.materials
+        && a.lights == b.lights
+        && a.planes == b.planes
 }

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::Desk;
 use crate::render::live::Side;
-use crate::scene::{Camera, Draft, Held, Method, Show};
+use crate::scene::{Camera, Draft, Held, Method};
 
 impl Desk {
     /// The draft with the camera as it stands.
@@ -45,7 +45,7 @@ impl Desk {
         say("--method", if self.method == Method::Raster { "raster" } else { "trace" });
         say("--backend", if self.side == Side::Gpu { "gpu" } else { "cpu" });
         say("--size", &format!("{}x{}", size[0], size[1]));
-        if self.method == Method::Raster && self.scene.raster.show != Show::Color {
+        if self.scene.raster.show.method() == Some(self.method) {
             let show = clap::ValueEnum::to_possible_value(&self.scene.raster.show);
             say("--show", show.as_ref().map_or("color", |show| show.get_name()));
         }
