@@ -4,6 +4,7 @@ mod buffer;
 mod error;
 mod kernel;
 mod looks;
+mod meter;
 mod pace;
 mod raster;
 mod screen;
@@ -14,11 +15,13 @@ pub mod wgsl;
 pub use buffer::Buffer;
 pub use error::Error;
 pub use kernel::{Binding, Kernel, parse};
+pub use meter::StageTime;
 pub use raster::{GpuImage, GpuRaster, Room, Variant};
 pub use screen::Screen;
 pub use texels::Texels;
 pub use trace::{GpuPaths, GpuSums, GpuTrace};
 
+use meter::Meter;
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,9 +35,11 @@ const PATIENCE: Duration = Duration::from_mins(1);
 /// Kernels that are remembered.
 const MOST_KERNELS: usize = 64;
 
-/// What some variants of kernels use, and every kernel has one that does without.
-const EXTRAS: wgpu::Features =
-    wgpu::Features::SUBGROUP.union(wgpu::Features::SHADER_INT64).union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX);
+/// What some variants of kernels use, and every kernel has one that does without; and a clock.
+const EXTRAS: wgpu::Features = wgpu::Features::SUBGROUP
+    .union(wgpu::Features::SHADER_INT64)
+    .union(wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX)
+    .union(wgpu::Features::TIMESTAMP_QUERY);
 
 /// Which adapter to use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -163,6 +168,7 @@ pub struct Gpu {
     complaint: Arc<Mutex<Option<String>>>,
     /// By their joined source.
     kernels: Mutex<HashMap<String, Kernel>>,
+    meter: Option<Meter>,
 }
 
 impl Gpu {
@@ -201,7 +207,8 @@ impl Gpu {
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
         }));
-        Self { device, queue, adapter, lost, complaint, kernels: Mutex::default() }
+        let meter = Meter::new(&device, &queue);
+        Self { device, queue, adapter, lost, complaint, kernels: Mutex::default(), meter }
     }
 
     /// The kernel that was built of this text.
@@ -274,7 +281,8 @@ impl Gpu {
     }
 
     /// Submits recorded work and waits for its end.
-    fn finish(&self, encoder: wgpu::CommandEncoder) -> Result<(), Error> {
+    fn finish(&self, mut encoder: wgpu::CommandEncoder) -> Result<(), Error> {
+        let timed = self.meter.as_ref().map(|meter| meter.fetch(&mut encoder)).unwrap_or_default();
         let work = AssertUnwindSafe(|| {
             let submission = self.queue.submit([encoder.finish()]);
             let wait = wgpu::PollType::Wait { submission_index: Some(submission), timeout: Some(PATIENCE) };
@@ -289,7 +297,12 @@ impl Gpu {
             return Err(Error::Validation(message));
         }
         match waited {
-            Ok(Ok(_)) => Ok(()),
+            Ok(Ok(_)) => {
+                if let Some(meter) = &self.meter {
+                    meter.learn(timed);
+                }
+                Ok(())
+            }
             _ => Err(Error::TimeOut(PATIENCE)),
         }
     }

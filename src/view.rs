@@ -9,5 +9,6 @@ pub mod fields;
 pub mod history;
 pub mod inspector;
 pub mod keys;
+pub mod overlay;
 pub mod watch;
 pub mod worker;

@@ -234,8 +234,9 @@ impl Kernel {
             layout: &self.layout,
             entries: &entries,
         });
-        let mut pass = encoder
-            .begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(&self.name), timestamp_writes: None });
+        let timestamp_writes = gpu.stamp(&self.name);
+        let mut pass =
+            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(&self.name), timestamp_writes });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &group, &[]);
         dispatch(&mut pass);

@@ -5,6 +5,7 @@
 //! what [`Renderer::render`](super::Renderer::render) makes.
 
 mod drawn;
+mod lights;
 mod traced;
 
 use std::time::Duration;
@@ -15,6 +16,7 @@ use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, Screen};
 use crate::scene::{Method, Reach, Scene};
 use drawn::Drawn;
+pub use lights::LightMap;
 use traced::Traced;
 
 /// How long a portion of work takes at most, about.
@@ -101,6 +103,18 @@ impl<'g> Live<'g> {
         Ok(aimed)
     }
 
+    /// Begins the picture anew, its lights too.
+    ///
+    /// # Errors
+    /// If the GPU cannot do it.
+    pub fn again(&mut self) -> Result<(), Error> {
+        match &mut self.kind {
+            Kind::Drawn(drawn) => drawn.again(),
+            Kind::Traced(traced) => traced.again()?,
+        }
+        Ok(())
+    }
+
     /// A portion of the work; whether there is a better picture now.
     ///
     /// # Errors
@@ -126,6 +140,17 @@ impl<'g> Live<'g> {
     pub fn done(&self) -> bool {
         let Progress { has, target, .. } = self.progress();
         has >= target
+    }
+
+    /// What the lights see, if shadows are drawn; nothing while it is what it was at `known`, which is brought up to date.
+    ///
+    /// # Errors
+    /// If the GPU is lost or does not answer.
+    pub fn lights(&mut self, known: &mut u64) -> Result<Option<Vec<LightMap>>, Error> {
+        match &mut self.kind {
+            Kind::Drawn(drawn) => drawn.lights(known),
+            Kind::Traced(_) => Ok((std::mem::take(known) != 0).then(Vec::new)),
+        }
     }
 
     /// Shows the picture as far as it is.

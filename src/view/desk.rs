@@ -19,6 +19,8 @@ pub struct Desk {
     /// With the camera as it stands now.
     scene: Scene,
     home: Camera,
+    /// What was put in by hand when it was opened.
+    given: Vec<(String, String)>,
     method: Method,
     side: Side,
     now: State,
@@ -74,7 +76,8 @@ impl Desk {
         let (camera, method) = (scene.camera.clone(), scene.method);
         let now = State { pivot: camera.look_at, camera: camera.clone(), draft };
         let history = History::default();
-        Ok(Self { source, scene, home: camera, method, side: Side::Gpu, now, history, held: None })
+        let given = now.draft.edits().to_vec();
+        Ok(Self { source, scene, home: camera, given, method, side: Side::Gpu, now, history, held: None })
     }
 
     /// The same with another method or backend.
@@ -141,7 +144,7 @@ impl Desk {
     /// Whether something would be lost if the window were gone.
     #[must_use]
     pub fn unsaved(&self) -> bool {
-        !self.now.draft.edits().is_empty() || self.scene.camera != self.home
+        self.now.draft.edits() != self.given || self.scene.camera != self.home
     }
 
     /// Turns about another point from now on, and looks at it.

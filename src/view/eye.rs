@@ -65,6 +65,10 @@ pub trait Eye {
     fn frame(&mut self, center: Vec3, radius: f32, aspect: f32);
     /// The point at the depth of `pivot` under a place of the picture: -0.5 to 0.5 down, and so many heights across.
     fn under(&self, pivot: Vec3, place: Vec2) -> Vec3;
+    /// The place of the picture that a point before the eye is seen at: what [`Eye::under`] asks for.
+    fn place(&self, point: Vec3) -> Vec2;
+    /// How far before the eye a point lies, along the view.
+    fn depth(&self, point: Vec3) -> f32;
 }
 
 /// Height of the picture in world units at the depth of a point.
@@ -149,5 +153,16 @@ impl Eye for Camera {
         let depth = (self.position - pivot).dot(back).max(1e-6);
         let high = height_at(self, pivot);
         self.position - back * depth + right * (place.x * high) - up * (place.y * high)
+    }
+
+    fn place(&self, point: Vec3) -> Vec2 {
+        let [right, up, _] = pose(self);
+        let way = point - self.position;
+        Vec2::new(way.dot(right), -way.dot(up)) / height_at(self, point)
+    }
+
+    fn depth(&self, point: Vec3) -> f32 {
+        let [_, _, back] = pose(self);
+        (self.position - point).dot(back)
     }
 }

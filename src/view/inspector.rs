@@ -4,6 +4,7 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 
 use glam::Vec3;
 
+use super::overlay::{Line, lines};
 use crate::cpu::first::first;
 use crate::explain::Explainer;
 use crate::prepare::{pose, prepare};
@@ -25,8 +26,8 @@ pub struct Question {
 /// An answer.
 #[derive(Debug, Clone)]
 pub enum Answer {
-    /// All that made the pixel, or why that cannot be told.
-    Text([u32; 2], String),
+    /// All that made the pixel, or why that cannot be told; and what of it is drawn over the picture.
+    Text([u32; 2], String, Vec<Line>),
     /// What is seen there; nothing if it is the background.
     Point(Option<Vec3>),
 }
@@ -79,18 +80,15 @@ fn explain(question: &Question, kept: &mut Option<(Scene, Method, Explainer)>) -
     if !kept.as_ref().is_some_and(|(known, how, _)| known.is(scene) && how == method) {
         match Explainer::new(scene, *method) {
             Ok(explainer) => *kept = Some((scene.clone(), *method, explainer)),
-            Err(why) => return Answer::Text(*pixel, why.to_string()),
+            Err(why) => return Answer::Text(*pixel, why.to_string(), Vec::new()),
         }
     }
     let told = kept.as_ref().map(|(_, _, explainer)| explainer.pixel(*pixel));
-    Answer::Text(
-        *pixel,
-        match told {
-            Some(Ok(explanation)) => explanation.to_string(),
-            Some(Err(why)) => why.to_string(),
-            None => String::new(),
-        },
-    )
+    match told {
+        Some(Ok(told)) => Answer::Text(*pixel, told.to_string(), lines(scene, &told)),
+        Some(Err(why)) => Answer::Text(*pixel, why.to_string(), Vec::new()),
+        None => Answer::Text(*pixel, String::new(), Vec::new()),
+    }
 }
 
 fn pick(Question { scene, pixel: [x, y], .. }: &Question) -> Answer {

@@ -38,6 +38,10 @@ pub enum Command {
     Cancel,
     /// Tells what made the pixel under the cursor.
     Inspect,
+    /// Shows or hides how long each stage takes.
+    Times,
+    /// Shows or hides what the lights see.
+    Lights,
     /// Puts another picture beside this one.
     Compare,
     /// Shows where the two differ.
@@ -99,10 +103,13 @@ pub const KEYS: &[Key] = &[
     key("M", Command::SwitchMethod, "rasterizer | ray tracer"),
     key("B", Command::SwitchSide, "GPU | CPU"),
     key("I", Command::Inspect, "tell what made the pixel under the cursor"),
+    key("T", Command::Times, "how long each stage takes on the GPU"),
+    key("L", Command::Lights, "what the lights see: the shadow maps"),
     key(
         "C",
         Command::Compare,
-        "compare: GPU | CPU, then rasterizer | ray tracer, then none; hold Space for the other alone",
+        "compare: GPU | CPU, then rasterizer | ray tracer, then a saved picture if there is one, then none; hold Space for \
+         the other alone",
     ),
     key("D", Command::Difference, "the difference of what is compared"),
     key("N", Command::Panels, "panels"),
@@ -121,7 +128,7 @@ pub const MOUSE: &[(&str, &str)] = &[
     ("wheel", "nearer to what is under the cursor, or away from it"),
     ("double-click", "set the pivot"),
     ("right drag", "look around; with W A S D Q E fly, with Shift faster"),
-    ("drop a file", "open a scene or a model"),
+    ("drop a file", "open a scene or a model; a picture to compare with"),
 ];
 
 /// The lines of the list that contain every word of a search, whatever the case of letters.

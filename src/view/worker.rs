@@ -5,8 +5,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use crate::gpu::wgsl::Sources;
-use crate::gpu::{Gpu, Screen};
-use crate::render::live::{Live, Progress, Wish};
+use crate::gpu::{Gpu, Screen, StageTime};
+use crate::render::live::{LightMap, Live, Progress, Wish};
 use crate::scene::Reach;
 
 /// What the worker is asked for.
@@ -18,6 +18,17 @@ pub struct Order {
     pub sources: Arc<Sources>,
     /// What it may take.
     pub reach: Reach,
+    /// What else is to be told.
+    pub inside: Inside,
+}
+
+/// What is told of a picture beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Inside {
+    /// How long each stage took on the GPU.
+    pub times: bool,
+    /// What the lights see.
+    pub lights: bool,
 }
 
 /// What the worker says.
@@ -33,6 +44,10 @@ pub struct Report {
     pub first: Duration,
     /// Of the last picture.
     pub took: Duration,
+    /// How long each stage took for the last picture, on the GPU.
+    pub times: Vec<StageTime>,
+    /// What the lights see.
+    pub lights: Arc<Vec<LightMap>>,
     /// Why there is no picture of the last wish.
     pub error: Option<String>,
     /// Whether it is at work.
@@ -124,6 +139,7 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
     let (mut asked, mut first) = (Instant::now(), true);
     let mut last = Instant::now();
     let mut size = [1; 2];
+    let (mut inside, mut lit) = (Inside::default(), 0);
     loop {
         let idle = live.as_ref().is_none_or(Live::done);
         if idle {
@@ -139,6 +155,9 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
                 shared.desk().report.busy = true;
                 (asked, first, last) = (Instant::now(), true, Instant::now());
                 size = order.wish.scene.film.size;
+                let more = order.inside != inside && order.inside != Inside::default();
+                inside = order.inside;
+                gpu.measure(inside.times);
                 let same = Arc::ptr_eq(&sources, &order.sources);
                 let aimed = same && live.as_mut().map_or(Ok(false), |live| live.aim(&order.wish))?;
                 if !aimed {
@@ -149,6 +168,10 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
                     }
                     sources = order.sources;
                     live = Some(Live::new(gpu, &sources, order.wish, &order.reach)?);
+                } else if let Some(live) = live.as_mut().filter(|_| more) {
+                    // What is told of is a picture's making.
+                    lit = 0;
+                    live.again()?;
                 }
             }
             let Some(live) = &mut live else { return Ok(()) };
@@ -161,6 +184,8 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
             if let Some(screen) = &screen {
                 live.show(screen)?;
             }
+            let times = gpu.times();
+            let lights = if inside.lights { live.lights(&mut lit)? } else { None };
             let mut desk = shared.desk();
             let report = &mut desk.report;
             report.screen.clone_from(&screen);
@@ -168,6 +193,10 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
             report.pictures += 1;
             report.took = last.elapsed();
             report.error = None;
+            report.times = times;
+            if let Some(lights) = lights {
+                report.lights = Arc::new(lights);
+            }
             last = Instant::now();
             if std::mem::take(&mut first) {
                 report.first = asked.elapsed();

@@ -1,6 +1,7 @@
 //! What the preview knows and does, without its window.
 
 mod by_hand;
+mod inside;
 mod live;
 
 use std::path::Path;

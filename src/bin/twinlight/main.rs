@@ -17,6 +17,7 @@ mod plan;
 mod progress;
 mod render;
 mod stop;
+mod times;
 mod told;
 mod view;
 mod writer;
@@ -69,6 +70,10 @@ enum Command {
     /// pixel to the bit.
     #[command(after_help = explain::SHAPE)]
     Explain(Box<explain::Arguments>),
+    /// Render a scene on the GPU and say how long each stage took there.
+    ///
+    /// It is rendered twice, and the second time is told: the first one compiles the kernels.
+    Times(Box<times::Arguments>),
     /// Put together what several `render --sample-range` have made, as if it had been made at once.
     ///
     /// Every sample must be there once, and all parts of one picture: the same scene, settings and version.
@@ -106,6 +111,7 @@ fn main() -> ExitCode {
         Command::Render(arguments) => render::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Times(arguments) => times::run(&arguments),
         Command::Merge(arguments) => merge::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),

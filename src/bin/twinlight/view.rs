@@ -5,6 +5,10 @@ mod app;
 #[cfg(feature = "viewer")]
 mod hand;
 #[cfg(feature = "viewer")]
+mod lights;
+#[cfg(feature = "viewer")]
+mod news;
+#[cfg(feature = "viewer")]
 mod out;
 #[cfg(feature = "viewer")]
 mod panels;
@@ -16,6 +20,8 @@ mod shell;
 mod show;
 #[cfg(feature = "viewer")]
 mod stage;
+#[cfg(feature = "viewer")]
+mod times;
 #[cfg(feature = "viewer")]
 mod watcher;
 
@@ -35,6 +41,9 @@ pub(crate) struct Arguments {
     /// Who renders: a key changes it.
     #[arg(long, default_value = "gpu")]
     pub(crate) backend: Side,
+    /// A saved picture that the scene's is compared with; one can be dropped on the window, too.
+    #[arg(long, value_name = "PICTURE")]
+    pub(crate) beside: Option<PathBuf>,
 }
 
 #[cfg(feature = "viewer")]

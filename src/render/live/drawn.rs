@@ -1,7 +1,9 @@
 //! the rasterizer, with what it has drawn kept: lights' depths stay while neither lights nor things change
 
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
+use super::lights::{LightMap, light_maps};
 use super::{Error, Progress, Wish};
 use crate::cpu::film::develop::develop;
 use crate::cpu::raster::{CpuRaster, Image};
@@ -18,12 +20,17 @@ pub(super) struct Drawn<'g> {
     on: On<'g>,
     /// Lights' depths as they are to be; while the eye moves, those of infinite planes may be a little off.
     lit: Lit,
+    /// Which drawing of the lights' depths this is, of all that were; 0 before the first.
+    lightings: u64,
     /// Samples that are drawn.
     has: usize,
     moving: bool,
     /// Pixels of the picture, across and down, that one of the film stands for while the eye moves.
     coarse: u32,
 }
+
+/// Drawings of lights' depths are counted through.
+static LIGHTINGS: AtomicU64 = AtomicU64::new(1);
 
 /// The most of them.
 const COARSEST: u32 = 4;
@@ -58,7 +65,7 @@ impl<'g> Drawn<'g> {
                 On::Cpu { sums: Vec::new(), shadows, image }
             }
         };
-        Ok(Self { scenery, on, lit: Lit::No, has: 0, moving: wish.moving, coarse: 1 })
+        Ok(Self { scenery, on, lit: Lit::No, lightings: 0, has: 0, moving: wish.moving, coarse: 1 })
     }
 
     pub(super) fn aim(&mut self, old: &Wish, new: &Wish) -> Result<bool, Error> {
@@ -99,6 +106,10 @@ impl<'g> Drawn<'g> {
         Ok(true)
     }
 
+    pub(super) fn again(&mut self) {
+        (self.has, self.lit) = (0, Lit::No);
+    }
+
     pub(super) fn step(&mut self) -> Result<bool, Error> {
         let drawing = &self.scenery.drawing;
         // What moves is drawn with one sample a pixel, again and again.
@@ -127,6 +138,7 @@ impl<'g> Drawn<'g> {
         }
         if light {
             self.lit = Lit::Yes;
+            self.lightings = LIGHTINGS.fetch_add(1, Relaxed);
         } else if self.moving {
             self.learn(start.elapsed());
         }
@@ -147,6 +159,18 @@ impl<'g> Drawn<'g> {
         let drawing = &self.scenery.drawing;
         let target = if self.moving { 1 } else { drawing.samples() as u32 };
         Progress { has: self.has as u32, target, film: drawing.film() }
+    }
+
+    pub(super) fn lights(&mut self, known: &mut u64) -> Result<Option<Vec<LightMap>>, Error> {
+        if *known == self.lightings {
+            return Ok(None);
+        }
+        *known = self.lightings;
+        let seen = match &mut self.on {
+            On::Gpu { stages, shadows, .. } => stages.seen(shadows)?,
+            On::Cpu { shadows, .. } => shadows.seen(),
+        };
+        Ok(Some(light_maps(&self.scenery.drawing, &seen.0)))
     }
 
     pub(super) fn show(&self, gpu: &Gpu, screen: &Screen, print: &Print) -> Result<(), Error> {

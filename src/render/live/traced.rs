@@ -69,6 +69,10 @@ impl<'g> Traced<'g> {
         Ok(true)
     }
 
+    pub(super) fn again(&mut self) -> Result<(), Error> {
+        self.begin(self.first)
+    }
+
     /// Begins a film whose pixels stand for `coarse` x `coarse` of the picture.
     fn begin(&mut self, coarse: u32) -> Result<(), Error> {
         self.coarse = coarse;

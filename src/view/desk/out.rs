@@ -32,6 +32,7 @@ impl Desk {
         draft.saved();
         self.now.draft = draft;
         self.home = self.scene.camera.clone();
+        self.given.clear();
         Ok(file)
     }
 

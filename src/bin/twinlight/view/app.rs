@@ -1,18 +1,21 @@
 //! the window: what was done in it -> wishes to the worker, and the worker's pictures
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, channel};
+use std::sync::mpsc::Receiver;
 
 use eframe::egui;
 use eframe::egui_wgpu::RenderState;
+use twinlight::film::Saved;
 use twinlight::gpu::Gpu;
 use twinlight::gpu::wgsl::{FILES, Sources};
 use twinlight::view::desk::Desk;
-use twinlight::view::inspector::{Answer, Inspector, Question};
+use twinlight::view::inspector::{Inspector, Question};
 use twinlight::view::keys::Command;
-use twinlight::view::worker::{Order, Report, Worker};
+use twinlight::view::overlay::Line;
+use twinlight::view::worker::{Inside, Order, Report, Worker};
 
+use super::lights::Lights;
 use super::out::{self, Full};
 use super::picture::Picture;
 use super::stage::{Beside, Compared};
@@ -25,16 +28,16 @@ pub(super) struct App {
     pub(super) arguments: Arguments,
     pub(super) state: RenderState,
     pub(super) gpu: Arc<Gpu>,
-    worker: Worker,
-    sources: Arc<Sources>,
-    watcher: Watcher,
-    inspector: Inspector,
+    pub(super) worker: Worker,
+    pub(super) sources: Arc<Sources>,
+    pub(super) watcher: Watcher,
+    pub(super) inspector: Inspector,
     pub(super) desk: Option<Desk>,
     pub(super) picture: Picture,
     pub(super) report: Report,
     pub(super) compared: Option<Compared>,
     /// A scene that is being read, and whether it is the one that is there.
-    coming: Option<(bool, Receiver<Result<Desk, String>>)>,
+    pub(super) coming: Option<(bool, Receiver<Result<Desk, String>>)>,
     pub(super) full: Option<Full>,
     /// What went wrong, until something goes right.
     pub(super) error: Option<String>,
@@ -47,12 +50,26 @@ pub(super) struct App {
     /// The search in the list of keys, while it is open.
     pub(super) help: Option<String>,
     /// What made a pixel, while that is wanted.
-    pub(super) inspected: Option<([u32; 2], String)>,
+    pub(super) inspected: Option<Inspected>,
+    /// What else is told of the picture.
+    pub(super) inside: Inside,
+    /// A picture to compare with.
+    pub(super) saved: Option<Arc<Saved>>,
+    pub(super) lights: Lights,
     title: String,
 }
 
+/// What made a pixel.
+#[derive(Debug, Default)]
+pub(super) struct Inspected {
+    pub(super) pixel: [u32; 2],
+    pub(super) text: String,
+    /// Over the picture.
+    pub(super) lines: Vec<Line>,
+}
+
 /// Where the kernels lie that can be tried out without building anew.
-const KERNELS: &str = "wgsl";
+pub(super) const KERNELS: &str = "wgsl";
 
 impl App {
     pub(super) fn new(cc: &eframe::CreationContext<'_>, arguments: &Arguments) -> Result<Self, Failure> {
@@ -85,6 +102,9 @@ impl App {
             panels: true,
             help: None,
             inspected: None,
+            inside: Inside::default(),
+            saved: None,
+            lights: Lights::default(),
             title: String::new(),
         };
         if Path::new(KERNELS).join("film/develop.wgsl").is_file() {
@@ -94,101 +114,10 @@ impl App {
         if let Some(path) = arguments.scene.clone() {
             app.load(ctx, path, arguments.job.edits()?, false);
         }
+        if let Some(path) = &arguments.beside {
+            app.hold_against(ctx, path);
+        }
         Ok(app)
-    }
-
-    /// Reads a scene beside the window.
-    fn load(&mut self, ctx: &egui::Context, path: PathBuf, edits: Vec<(String, String)>, again: bool) {
-        let (tell, told) = channel();
-        let (reach, ctx) = (self.arguments.job.input.reach(), ctx.clone());
-        std::thread::spawn(move || {
-            let read = Desk::open(&path, &edits, &reach).map_err(|error| error.to_string());
-            // The window may be gone.
-            let _ = tell.send(read);
-            ctx.request_repaint();
-        });
-        self.coming = Some((again, told));
-    }
-
-    /// Reads the scene again; what was put in by hand stays.
-    fn reload(&mut self, ctx: &egui::Context) {
-        if let Some(desk) = &self.desk {
-            let (path, edits) = (desk.path().to_owned(), desk.draft().edits().to_vec());
-            self.load(ctx, path, edits, true);
-        } else if let Some(path) = self.arguments.scene.clone() {
-            let edits = self.arguments.job.edits().unwrap_or_default();
-            self.load(ctx, path, edits, false);
-        }
-    }
-
-    /// Takes in what has come from elsewhere: scenes, changed files, dropped files, pictures, answers.
-    fn listen(&mut self, ctx: &egui::Context) {
-        self.watcher.listen(ctx);
-        if self.watcher.scene.settled(std::time::Instant::now()) {
-            self.reload(ctx);
-        }
-        if self.watcher.kernels.settled(std::time::Instant::now()) {
-            match Sources::of_folder(Path::new(KERNELS)) {
-                Ok(sources) => {
-                    self.sources = Arc::new(sources);
-                    self.changed = true;
-                }
-                Err(error) => self.error = Some(format!("{KERNELS}: {error}")),
-            }
-        }
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
-        if let Some(path) = dropped {
-            self.load(ctx, path, Vec::new(), false);
-        }
-        if let Some((again, Ok(read))) = self.coming.as_ref().map(|(again, told)| (*again, told.try_recv())) {
-            self.coming = None;
-            self.arrive(read, again);
-        }
-        while let Some(answer) = self.inspector.answer() {
-            match answer {
-                Answer::Text(pixel, text) if self.inspected.is_some() => self.inspected = Some((pixel, text)),
-                Answer::Point(Some(point)) => {
-                    if let Some(desk) = &mut self.desk {
-                        desk.set_pivot(point);
-                        self.changed = true;
-                    }
-                }
-                _ => {}
-            }
-        }
-        if let Some(end) = self.full.as_ref().and_then(Full::end) {
-            self.full = None;
-            self.say(end);
-        }
-        self.report = self.worker.report();
-        self.picture.take(&self.state, self.report.screen.clone());
-        if let Some(compared) = &mut self.compared {
-            compared.listen(&self.state);
-        }
-    }
-
-    fn arrive(&mut self, read: Result<Desk, String>, again: bool) {
-        match read {
-            Ok(read) => {
-                self.error = None;
-                self.changed = true;
-                let (method, show) = self.arguments.job.asked();
-                match &mut self.desk {
-                    Some(desk) if again => desk.renew(read),
-                    desk => {
-                        let mut read = read.with(method, self.arguments.backend);
-                        if let Some(show) = show {
-                            read.obey(Command::Show(show));
-                        }
-                        *desk = Some(read);
-                    }
-                }
-                if let Some(desk) = &self.desk {
-                    self.watcher.about_scene(desk.files());
-                }
-            }
-            Err(error) => self.error = Some(error),
-        }
     }
 
     pub(super) fn say(&mut self, what: Result<String, String>) {
@@ -204,7 +133,7 @@ impl App {
             Command::Panels => self.panels = !self.panels,
             Command::Reload => self.reload(ctx),
             Command::Inspect => {
-                self.inspected = if self.inspected.is_some() { None } else { Some(([0; 2], String::new())) };
+                self.inspected = if self.inspected.is_some() { None } else { Some(Inspected::default()) };
             }
             Command::Cancel => {
                 if let Some(full) = &self.full {
@@ -213,10 +142,11 @@ impl App {
                     self.compared = None;
                 }
             }
+            Command::Times => (self.inside.times, self.changed) = (!self.inside.times, true),
+            Command::Lights => (self.inside.lights, self.changed) = (!self.inside.lights, true),
             Command::Compare => {
-                let beside = self.compared.as_ref().map_or(Beside::Nothing, |compared| compared.beside).next();
-                self.compared = (beside != Beside::Nothing).then(|| Compared::new(&self.gpu, ctx, beside));
-                self.changed = true;
+                let beside = self.compared.as_ref().map_or(Beside::Nothing, |compared| compared.beside.clone());
+                self.compare(ctx, beside.next(self.saved.as_ref()));
             }
             Command::Difference => {
                 if let Some(compared) = &mut self.compared {
@@ -269,11 +199,17 @@ impl App {
         }
     }
 
+    pub(super) fn compare(&mut self, ctx: &egui::Context, beside: Beside) {
+        self.compared = (beside != Beside::Nothing).then(|| Compared::new(&self.gpu, ctx, beside));
+        self.changed = true;
+    }
+
     /// Asks for the picture as it is to be now.
     pub(super) fn ask(&mut self) {
         let Some(desk) = &self.desk else { return };
         let reach = self.arguments.job.input.reach();
-        let order = Order { wish: desk.wish(self.room), sources: Arc::clone(&self.sources), reach };
+        let order =
+            Order { wish: desk.wish(self.room), sources: Arc::clone(&self.sources), reach, inside: self.inside };
         if let Some(compared) = &self.compared {
             compared.ask(&order);
         }

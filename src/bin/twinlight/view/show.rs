@@ -4,9 +4,9 @@ use eframe::egui::{self, Ui};
 use twinlight::gpu::Screen;
 use twinlight::view::keys::{Command, KEYS, Key, search};
 
-use super::app::App;
-use super::stage::tag;
-use super::{hand, panels};
+use super::app::{App, Inspected};
+use super::stage::{strokes, tag};
+use super::{hand, panels, times};
 
 /// Whether a key's command stands in a menu.
 type Among = fn(&Key) -> bool;
@@ -16,7 +16,7 @@ impl App {
         egui::Panel::top("menus").show(ui, |ui| self.menus(ui));
         egui::Panel::bottom("status").show(ui, |ui| self.status(ui));
         if self.inspected.is_some() {
-            egui::Panel::left("inspector").default_size(420.0).show(ui, |ui| self.inspector(ui));
+            egui::Panel::left("inspector").default_size(460.0).min_size(200.0).show(ui, |ui| self.inspector(ui));
         }
         if self.panels {
             egui::Panel::right("panels").default_size(250.0).show(ui, |ui| {
@@ -24,7 +24,14 @@ impl App {
             });
         }
         egui::CentralPanel::default().show(ui, |ui| self.stage(ui));
-        self.keys(&ui.ctx().clone());
+        let ctx = ui.ctx().clone();
+        self.keys(&ctx);
+        if self.inside.times {
+            times::window(&ctx, &self.report.times, &mut self.inside.times);
+        }
+        if self.inside.lights {
+            self.lights.window(&ctx, &mut self.inside.lights);
+        }
     }
 
     fn menus(&mut self, ui: &mut Ui) {
@@ -36,11 +43,11 @@ impl App {
             }),
             ("Do", |key| {
                 use Command::{Compare, CopyPicture, Difference, Help, Inspect, Panels, Reload, Render};
-                use Command::{Save, Screenshot, SwitchMethod, SwitchSide};
+                use Command::{Lights, Save, Screenshot, SwitchMethod, SwitchSide, Times};
                 let out = matches!(key.command, Save | Reload | Screenshot | CopyPicture | Render);
                 out || matches!(
                     key.command,
-                    SwitchMethod | SwitchSide | Compare | Difference | Inspect | Panels | Help
+                    SwitchMethod | SwitchSide | Compare | Difference | Inspect | Times | Lights | Panels | Help
                 )
             }),
         ];
@@ -117,12 +124,15 @@ impl App {
         {
             self.question(under(at), true);
         }
-        if let (Some((last, _)), Some(at)) = (&self.inspected, response.hover_pos())
-            && *last != under(at)
+        if let Some(inspected) = &self.inspected {
+            strokes(ui, rect, &inspected.lines);
+        }
+        if let (Some(Inspected { pixel, .. }), Some(at)) = (&self.inspected, response.hover_pos())
+            && *pixel != under(at)
         {
             self.question(under(at), false);
             if let Some(inspected) = &mut self.inspected {
-                inspected.0 = under(at);
+                inspected.pixel = under(at);
             }
         }
         if std::mem::take(&mut self.changed) {
@@ -131,8 +141,9 @@ impl App {
     }
 
     fn inspector(&self, ui: &mut Ui) {
-        let Some((_, text)) = &self.inspected else { return };
-        egui::ScrollArea::both().show(ui, |ui| {
+        let Some(Inspected { text, .. }) = &self.inspected else { return };
+        egui::ScrollArea::both().auto_shrink(false).show(ui, |ui| {
+            ui.style_mut().wrap_mode = Some(egui::TextWrapMode::Extend);
             let words = if text.is_empty() { "what made the pixel under the cursor" } else { text };
             ui.label(egui::RichText::new(words).monospace().size(11.0));
         });

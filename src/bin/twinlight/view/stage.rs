@@ -4,17 +4,19 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Color32};
 use eframe::egui_wgpu::RenderState;
+use twinlight::film::Saved;
 use twinlight::film::compare::Standard;
 use twinlight::gpu::{Gpu, Screen};
 use twinlight::render::live::{Side, Wish};
 use twinlight::scene::Method;
 use twinlight::view::difference::difference;
+use twinlight::view::overlay::{Line, Stroke};
 use twinlight::view::worker::{Order, Report, Worker};
 
 use super::picture::Picture;
 
 /// What stands beside the picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) enum Beside {
     #[default]
     Nothing,
@@ -22,31 +24,46 @@ pub(super) enum Beside {
     Side,
     /// The same by the other method.
     Method,
+    /// A picture that was saved.
+    Saved(Arc<Saved>),
+}
+
+impl PartialEq for Beside {
+    fn eq(&self, other: &Self) -> bool {
+        std::mem::discriminant(self) == std::mem::discriminant(other)
+    }
 }
 
 impl Beside {
-    pub(super) fn next(self) -> Self {
+    pub(super) fn next(self, saved: Option<&Arc<Saved>>) -> Self {
         match self {
             Self::Nothing => Self::Side,
             Self::Side => Self::Method,
-            Self::Method => Self::Nothing,
+            Self::Method => saved.map_or(Self::Nothing, |saved| Self::Saved(Arc::clone(saved))),
+            Self::Saved(_) => Self::Nothing,
         }
     }
 
     /// The wish for what stands beside another.
-    fn of(self, wish: &Wish) -> Wish {
+    fn of(&self, wish: &Wish) -> Wish {
         let mut other = wish.clone();
         match self {
             Self::Side => other.side = if wish.side == Side::Gpu { Side::Cpu } else { Side::Gpu },
             Self::Method => {
                 other.method = if wish.method == Method::Raster { Method::Trace } else { Method::Raster };
             }
-            Self::Nothing => {}
+            Self::Nothing | Self::Saved(_) => {}
         }
         other
     }
 
-    fn names(self, wish: &Wish) -> [String; 2] {
+    fn names(&self, wish: &Wish) -> [String; 2] {
+        if let Self::Saved(saved) = self {
+            let [width, height] = saved.size();
+            let file = saved.path().file_name().unwrap_or_default().to_string_lossy();
+            let scaled = if saved.size() == wish.scene.film.size { "" } else { ", scaled" };
+            return ["this".to_owned(), format!("{file}, {width} x {height}{scaled}")];
+        }
         let name = |wish: &Wish| match self {
             Self::Method => format!("{:?}", wish.method),
             _ => format!("{:?}", wish.side).to_uppercase(),
@@ -61,6 +78,8 @@ pub(super) struct Compared {
     worker: Worker,
     report: Report,
     picture: Picture,
+    /// The saved picture with as many pixels as the other.
+    saved: Option<([u32; 2], Vec<u32>, egui::TextureHandle)>,
     /// Where the one ends and the other begins.
     wipe: f32,
     /// Whether their difference is shown instead.
@@ -74,10 +93,13 @@ impl Compared {
         let ctx = ctx.clone();
         let worker = Worker::new(Arc::clone(gpu), Box::new(move || ctx.request_repaint()));
         let (report, picture) = (Report::default(), Picture::default());
-        Self { beside, worker, report, picture, wipe: 0.5, difference: false, found: None }
+        Self { beside, worker, report, picture, saved: None, wipe: 0.5, difference: false, found: None }
     }
 
     pub(super) fn ask(&self, order: &Order) {
+        if matches!(self.beside, Beside::Saved(_)) {
+            return;
+        }
         self.worker.ask(Order { wish: self.beside.of(&order.wish), ..order.clone() });
     }
 
@@ -88,19 +110,32 @@ impl Compared {
 
     /// Draws the other picture right of the wipe, or the difference over all.
     pub(super) fn draw(&mut self, ui: &mut egui::Ui, rect: egui::Rect, wish: &Wish, own: &Report, gpu: &Gpu) {
+        if let Beside::Saved(saved) = &self.beside {
+            let size = wish.scene.film.size;
+            if self.saved.as_ref().is_none_or(|(known, ..)| *known != size) {
+                let words = saved.words(size);
+                let texture = texture(ui.ctx(), "saved", size, &words);
+                self.saved = Some((size, words, texture));
+            }
+        }
         let alone = ui.input(|input| input.key_down(egui::Key::Space));
         if self.difference {
             self.find(ui.ctx(), own, gpu);
             if let Some((_, texture, words)) = &self.found {
-                let whole = egui::Rect::from_min_max(egui::Pos2::ZERO, egui::pos2(1.0, 1.0));
-                ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
+                ui.painter().image(texture.id(), rect, WHOLE, Color32::WHITE);
                 tag(ui, rect.left_top(), egui::Align2::LEFT_TOP, words);
             }
             return;
         }
         let at = if alone { rect.left() } else { rect.left() + rect.width() * self.wipe };
         let right = egui::Rect::from_min_max(egui::pos2(at, rect.top()), rect.max);
-        self.picture.draw(&ui.painter().with_clip_rect(right.intersect(ui.clip_rect())), rect);
+        let painter = ui.painter().with_clip_rect(right.intersect(ui.clip_rect()));
+        match &self.saved {
+            Some((_, _, texture)) => {
+                painter.image(texture.id(), rect, WHOLE, Color32::WHITE);
+            }
+            None => self.picture.draw(&painter, rect),
+        }
         if let Some(error) = &self.report.error {
             tag(ui, right.center_top(), egui::Align2::CENTER_TOP, error);
         }
@@ -127,19 +162,48 @@ impl Compared {
         if own.busy || self.report.busy || self.found.as_ref().is_some_and(|(of, ..)| *of == pictures) {
             return;
         }
-        let (Some(one), Some(other)) = (&own.screen, &self.report.screen) else { return };
+        let Some(one) = &own.screen else { return };
         let read = |screen: &Screen| screen.read(gpu).unwrap_or_default();
+        let other = match (&self.saved, &self.report.screen) {
+            (Some((_, words, _)), _) => words.clone(),
+            (None, Some(screen)) => read(screen),
+            (None, None) => return,
+        };
         let standard = if gpu.exact() && self.beside == Beside::Side { Standard::Exact } else { Standard::Near };
-        let Some(found) = difference(one.size(), &read(one), &read(other), standard) else { return };
+        let Some(found) = difference(one.size(), &read(one), &other, standard) else { return };
         let verdict = if found.passes { "within" } else { "over" };
         let words = format!(
             "{} pixels differ, by at most {} of 255: {verdict} the tolerance ({standard:?}); shown 16 times as strong",
             found.pixels, found.largest
         );
-        let bytes: Vec<u8> = found.words.iter().flat_map(|word| word.to_le_bytes()).collect();
-        let image = egui::ColorImage::from_rgba_unmultiplied(one.size().map(|side| side as usize), &bytes);
-        let texture = ctx.load_texture("difference", image, egui::TextureOptions::NEAREST);
+        let texture = texture(ctx, "difference", one.size(), &found.words);
         self.found = Some((pictures, texture, words));
+    }
+}
+
+/// All of a texture.
+const WHOLE: egui::Rect = egui::Rect { min: egui::Pos2::ZERO, max: egui::pos2(1.0, 1.0) };
+
+/// A picture from host memory.
+fn texture(ctx: &egui::Context, name: &str, size: [u32; 2], words: &[u32]) -> egui::TextureHandle {
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let image = egui::ColorImage::from_rgba_unmultiplied(size.map(|side| side as usize), &bytes);
+    ctx.load_texture(name, image, egui::TextureOptions::NEAREST)
+}
+
+/// Lines over a picture.
+pub(super) fn strokes(ui: &egui::Ui, rect: egui::Rect, lines: &[Line]) {
+    let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+    for line in lines {
+        let color = match line.stroke {
+            Stroke::Edge => Color32::WHITE,
+            Stroke::Reflected => Color32::from_rgb(90, 200, 255),
+            Stroke::Refracted => Color32::from_rgb(120, 255, 140),
+            Stroke::Lit => Color32::from_rgb(255, 220, 90),
+            Stroke::Blocked => Color32::from_rgb(200, 60, 50),
+        };
+        let ends = line.ends.map(|end| rect.min + rect.size() * egui::vec2(end.x, end.y));
+        painter.line_segment(ends, egui::Stroke::new(1.5, color));
     }
 }
 
