@@ -45,7 +45,7 @@ fn at(tables: &Tables, pixel: u32, stack: &mut [[u32; 2]]) -> First {
     if found.hit == NONE {
         return First { depth: f32::INFINITY, normal: Vec3::ZERO, albedo: Vec3::ZERO, shadow: 0.0 };
     }
-    let surface = surface_at(tables, ray, found.t, found.hit);
+    let surface = surface_at(tables, ray, found.t, found.hit, &mut ());
     let path = crate::tables::Path { t: found.t, hit: found.hit, ..seed(&tables.view, 0, direction) };
     let open = tables.lights.iter().filter(|light| {
         let asked = lit(tables, &path, &surface, light);

@@ -9,7 +9,7 @@ use super::fragment::Heard;
 use super::things::Thing;
 use crate::cpu::raster::shade::shade;
 use crate::cpu::raster::{CpuRaster, Image};
-use crate::cpu::witness::{Fragment, Sight, Term};
+use crate::cpu::witness::{Fragment, Picture, Sight, Term};
 use crate::film::Film;
 use crate::raster::{Raster as _, draw};
 use crate::scene::Scene;
@@ -74,6 +74,17 @@ pub struct Maps {
     pub exponent: Option<f32>,
     /// The normal in tangent space, as n/2 + 1/2.
     pub normal: Option<Vec3>,
+}
+
+impl Maps {
+    pub(super) fn put(&mut self, of: Picture, value: Vec3) {
+        match of {
+            Picture::Diffuse => self.diffuse = Some(value),
+            Picture::Specular => self.specular = Some(value),
+            Picture::Exponent => self.exponent = Some(value.x),
+            Picture::Normal => self.normal = Some(value),
+        }
+    }
 }
 
 /// A light at a fragment.

@@ -25,12 +25,7 @@ pub(super) struct Heard {
 
 impl Witness for Heard {
     fn texel(&mut self, of: Picture, value: Vec3) {
-        match of {
-            Picture::Diffuse => self.maps.diffuse = Some(value),
-            Picture::Specular => self.maps.specular = Some(value),
-            Picture::Exponent => self.maps.exponent = Some(value.x),
-            Picture::Normal => self.maps.normal = Some(value),
-        }
+        self.maps.put(of, value);
     }
 
     fn tangents(&mut self, tangents: [Vec3; 2]) {

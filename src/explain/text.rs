@@ -8,7 +8,7 @@ use std::fmt::{self, Display, Formatter, Write as _};
 use glam::Vec3;
 
 use super::place::place;
-use super::{Explanation, Places, Samples, Thing};
+use super::{Explanation, Maps, Places, Samples, Thing};
 
 impl Display for Explanation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -94,4 +94,20 @@ fn thing(thing: &Thing) -> String {
     let triangle = thing.triangle.map_or_else(String::new, |number| format!(", triangle {number}"));
     let group = thing.group.as_ref().map_or_else(String::new, |name| format!(" of group {name:?}"));
     format!("{}{triangle}{group}, material {:?} (id {})", thing.object, thing.material, thing.id)
+}
+
+fn maps(page: &mut Page<'_, '_>, maps: &Maps, tangents: Option<[Vec3; 2]>) -> fmt::Result {
+    let normal = maps.normal.map(|map| map * 2.0 - 1.0);
+    for (map, name) in [(maps.diffuse, "diffuse map"), (maps.specular, "specular map"), (normal, "normal map")] {
+        if let Some(value) = map {
+            page.row(name, &vector(value), "maps")?;
+        }
+    }
+    if let Some(share) = maps.exponent {
+        page.row("exponent map", &numbers(&[f64::from(share)]), "maps")?;
+    }
+    for (tangent, name) in tangents.into_iter().flatten().zip(["T", "B"]) {
+        page.row(name, &vector(tangent), "tangents")?;
+    }
+    Ok(())
 }

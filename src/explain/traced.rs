@@ -7,6 +7,7 @@ use bytemuck::Zeroable as _;
 use glam::{Vec2, Vec3};
 use serde::Serialize;
 
+use super::drawn::Maps;
 use super::things::Thing;
 use super::tree::Heard;
 use crate::cpu::trace::primary::place;
@@ -73,8 +74,12 @@ pub struct Meeting {
     pub t: f32,
     /// In world space.
     pub point: Vec3,
-    /// The normal that the ray meets, of length one, on its side.
+    /// The primitive's normal, of length one, on the ray's side.
     pub normal: Vec3,
+    /// What the maps say.
+    pub maps: Maps,
+    /// T and B of the tangent space, where a normal map asks for them.
+    pub tangents: Option<[Vec3; 2]>,
     /// The normal that light falls onto, of length one: between corners, and as a normal map says.
     pub shading: Vec3,
     /// The surface's own color.

@@ -2,13 +2,14 @@
 
 use glam::{Vec2, Vec3};
 
+use super::drawn::Maps;
 use super::things::{self, Thing};
 use super::traced::{Kind, Meeting, Onward, ShadowRay, Traced, TracedSample, Way};
 use crate::cpu::trace::surface::Surface;
 use crate::cpu::trace::tree::Lit;
 use crate::cpu::trace::unrolled::nearest;
 use crate::cpu::trace::walk::{Walk, walk};
-use crate::cpu::witness::{Fork, Witness};
+use crate::cpu::witness::{Fork, Picture, Witness};
 use crate::scene::Scene;
 use crate::tables::{NONE, PLANE, Path, SPHERE, Tables};
 
@@ -21,11 +22,22 @@ pub(super) struct Heard<'a> {
     next: Option<(u32, Way)>,
     /// The same for rays that wait, as they lie on the tree's own stack.
     waiting: Vec<(u32, Way)>,
+    /// Of the hit that is looked at.
+    maps: Maps,
+    tangents: Option<[Vec3; 2]>,
 }
 
 impl<'a> Heard<'a> {
     pub(super) fn new(scene: &'a Scene, tables: &'a Tables) -> Self {
-        Self { scene, tables, rays: Vec::new(), next: None, waiting: Vec::new() }
+        Self {
+            scene,
+            tables,
+            rays: Vec::new(),
+            next: None,
+            waiting: Vec::new(),
+            maps: Maps::default(),
+            tangents: None,
+        }
     }
 
     pub(super) fn sample(self, color: Vec3) -> TracedSample {
@@ -76,17 +88,28 @@ impl<'a> Heard<'a> {
 }
 
 impl Witness for Heard<'_> {
+    fn texel(&mut self, of: Picture, value: Vec3) {
+        self.maps.put(of, value);
+    }
+
+    fn tangents(&mut self, tangents: [Vec3; 2]) {
+        self.tangents = Some(tangents);
+    }
+
     fn met(&mut self, path: &Path, t: f32, surface: &Surface) {
         if self.ray(path).meets.is_some() {
             return;
         }
         let (thing, kind) = self.thing(path.hit);
+        let (maps, tangents) = (std::mem::take(&mut self.maps), self.tangents.take());
         self.ray(path).meets = Some(Meeting {
             thing,
             kind,
             t,
             point: surface.point,
             normal: surface.normal,
+            maps,
+            tangents,
             shading: surface.shading,
             color: surface.material.color,
             specular: surface.specular,

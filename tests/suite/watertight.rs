@@ -91,7 +91,7 @@ fn no_ray_meets_what_it_has_just_left() {
             if found.hit == NONE {
                 continue;
             }
-            let surface = surface_at(&tables, ray, found.t, found.hit);
+            let surface = surface_at(&tables, ray, found.t, found.hit, &mut ());
             let free = dice.direction();
             let out = if free.dot(surface.normal) < 0.0 { -free } else { free };
             let next = nearest(&tables, Ray { origin: start_of(&surface, out), direction: out, leaves: found.hit });

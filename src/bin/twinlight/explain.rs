@@ -23,7 +23,7 @@ The object of --json, all vectors as lists, null where there is nothing, samples
     lights { light intensity toward share power phong diffuse specular
       shadow { lens clip texel { column row depth open asked } side stored bias caster } } } }
   trace { at color rays { way parent depth inside weight origin direction background
-    meets { thing kind t point normal shading color specular local exponent random
+    meets { thing kind t point normal maps tangents shading color specular local exponent random
       lights { light toward phong color before arrives blocker }
       ways { way direction weight followed } } } } }";
 

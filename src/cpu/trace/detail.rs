@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 
 use crate::cpu::shade::look::{Look, bumped, look_of, sum_by, uv_by};
 use crate::cpu::trace::aim::Ray;
+use crate::cpu::witness::Witness;
 use crate::math::angle::turns;
 use crate::math::fence::fence;
 use crate::math::vector::unit;
@@ -65,7 +66,14 @@ fn uv_near(from: Vec3, uv: Vec2) -> Vec2 {
 
 /// `normal`: the primitive's own, on its outer side.
 #[must_use]
-pub fn detail_at(tables: &Tables, ray: Ray, leaf: &Leaf, point: Vec3, normal: Vec3) -> Detail {
+pub fn detail_at(
+    tables: &Tables,
+    ray: Ray,
+    leaf: &Leaf,
+    point: Vec3,
+    normal: Vec3,
+    witness: &mut impl Witness,
+) -> Detail {
     let settings = &tables.settings;
     let paint = &tables.paints[leaf.material as usize];
     let p = fence(point);
@@ -73,7 +81,7 @@ pub fn detail_at(tables: &Tables, ray: Ray, leaf: &Leaf, point: Vec3, normal: Ve
     if settings.filtering == MIPMAP {
         sides = beside(&tables.view, ray, p, normal);
     }
-    let read = |uvs| look_of(&tables.texels, settings.filtering, paint, uvs, &mut ());
+    let look_at = |uvs, witness: &mut _| look_of(&tables.texels, settings.filtering, paint, uvs, witness);
     if leaf.kind != SPHERE && leaf.kind != PLANE {
         let face = tables.faces[(leaf.id - settings.spheres - settings.planes) as usize];
         let corners: [&Vertex; 3] = [face.a, face.b, face.c].map(|i| &tables.vertices[i as usize]);
@@ -90,9 +98,9 @@ pub fn detail_at(tables: &Tables, ray: Ray, leaf: &Leaf, point: Vec3, normal: Ve
         if settings.filtering == MIPMAP {
             uvs = [uvs[0], uv_by(weights(sides[0]), corners), uv_by(weights(sides[1]), corners)];
         }
-        let look = read(uvs);
+        let look = look_at(uvs, witness);
         if paint.normal_map.first != NONE {
-            n = bumped(n, corners, look.tangent, &mut ());
+            n = bumped(n, corners, look.tangent, witness);
         }
         return Detail { normal: n, look };
     }
@@ -105,10 +113,12 @@ pub fn detail_at(tables: &Tables, ray: Ray, leaf: &Leaf, point: Vec3, normal: Ve
     } else {
         from.map(|from| Vec2::new(from.dot(along_u), from.dot(along_v)))
     };
-    let look = read(uvs);
+    let look = look_at(uvs, witness);
     let mut n = normal;
     if paint.normal_map.first != NONE && along_u.dot(along_u) > 0.0 {
-        n = unit(sum_by(look.tangent, unit(along_u), unit(along_v), n));
+        let (t, b) = (unit(along_u), unit(along_v));
+        witness.tangents([t, b]);
+        n = unit(sum_by(look.tangent, t, b, n));
     }
     Detail { normal: n, look }
 }

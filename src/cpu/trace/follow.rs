@@ -30,7 +30,7 @@ pub fn follow(
         let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
         let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0, phong: [0.0; 2] };
         if path.state == LIT {
-            let surface = *known.get_or_insert_with(|| surface_at(tables, own_ray, path.t, path.hit));
+            let surface = *known.get_or_insert_with(|| surface_at(tables, own_ray, path.t, path.hit, witness));
             witness.met(path, path.t, &surface);
             while path.light < settings.lights && turns < slice.budget && asked.reach == 0.0 {
                 turns += 1;

@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::detail::detail_at;
+use crate::cpu::witness::Witness;
 use crate::math::vector::unit;
 use crate::tables::{Material, PLANE, SPHERE, Tables};
 
@@ -37,7 +38,7 @@ pub fn start_of(surface: &Surface, way: Vec3) -> Vec3 {
 
 /// The point is put back onto the primitive, so that its error does not grow with the ray's length.
 #[must_use]
-pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
+pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32, witness: &mut impl Witness) -> Surface {
     let along = ray.origin + ray.direction * t;
     let leaf = &tables.leaves[hit as usize];
     let (point, mut normal, margin) = match leaf.kind {
@@ -54,7 +55,7 @@ pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
             (along - normal * normal.dot(along - leaf.a), normal, margin)
         }
     };
-    let detail = detail_at(tables, ray, leaf, point, normal);
+    let detail = detail_at(tables, ray, leaf, point, normal, witness);
     let mut shading = detail.normal;
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Page, number, numbers, thing, vector};
+use super::{Page, maps, number, numbers, thing, vector};
 use crate::explain::{DrawnSample, Lit, Seen, Shadow};
 use crate::tables::DEEP;
 
@@ -48,26 +48,11 @@ fn seen(page: &mut Page<'_, '_>, seen: &Seen) -> fmt::Result {
     page.row("depth", &format!("{:>12}   0 is the near plane, 1 the far one", depth(seen.depth)), "depth")?;
     page.row("point", &vector(told.point), "point")?;
     page.row("u, v", &numbers(&told.uv.to_array().map(f64::from)), "uv")?;
-    if let Some(color) = seen.maps.diffuse {
-        page.row("diffuse map", &vector(color), "maps")?;
-    }
+    maps(page, &seen.maps, seen.tangents)?;
     page.row("diffuse", &vector(told.albedo), "albedo")?;
-    if let Some(weight) = seen.maps.specular {
-        page.row("specular map", &vector(weight), "maps")?;
-    }
     page.row("specular weight", &vector(told.specular), "specular")?;
-    if let Some(share) = seen.maps.exponent {
-        page.row("exponent map", &numbers(&[f64::from(share)]), "maps")?;
-    }
     page.row("exponent k", &numbers(&[f64::from(told.exponent)]), "exponent")?;
-    if let Some([t, b]) = seen.tangents {
-        page.row("T", &vector(t), "tangents")?;
-        page.row("B", &vector(b), "tangents")?;
-    }
     page.row("N", &vector(told.smooth), "smooth")?;
-    if let Some(map) = seen.maps.normal {
-        page.row("normal map", &vector(map * 2.0 - 1.0), "maps")?;
-    }
     page.row("normal n", &vector(told.normal), "normal")?;
     page.row("to the eye v", &vector(told.view), "view")?;
     for light in &seen.lights {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::Vec3;
 
-use super::{Page, numbers, thing, vector};
+use super::{Page, maps, numbers, thing, vector};
 use crate::explain::{Kind, Meeting, Onward, ShadowRay, Traced, TracedSample, Way};
 
 pub(super) fn sample(page: &mut Page<'_, '_>, sample: &TracedSample, i: usize, count: usize) -> fmt::Result {
@@ -67,12 +67,13 @@ fn meeting(page: &mut Page<'_, '_>, meeting: &Meeting, inside: bool) -> fmt::Res
     page.row("at t", &numbers(&[f64::from(meeting.t)]), kind)?;
     page.row("point", &vector(meeting.point), "point")?;
     page.row("normal n", &vector(meeting.normal), "normal")?;
+    maps(page, &meeting.maps, meeting.tangents)?;
     if meeting.shading != meeting.normal {
-        page.row("lit as if n were", &vector(meeting.shading), "")?;
+        page.row("lit by the normal", &vector(meeting.shading), "shading")?;
     }
     page.row("color", &vector(meeting.color), "")?;
     if meeting.specular != Vec3::ONE {
-        page.row("highlight times", &vector(meeting.specular), "")?;
+        page.row("specular weight", &vector(meeting.specular), "")?;
     }
     page.row("local weight, k", &numbers(&[meeting.local, meeting.exponent].map(f64::from)), "")?;
     if inside {
