@@ -48,8 +48,8 @@ pub enum Error {
     },
     /// A film that there is no memory for.
     #[error(
-        "a film of {}x{} needs {needed} MiB, and {most} MiB of memory may be taken; .png, .tga and .ppm can be made \
-         in bands, and all by --crop",
+        "a picture of {}x{} takes {needed} MiB when it is made at once, and {most} MiB of memory may be taken; .png, \
+         .tga and .ppm can be made in bands, and all by --crop",
         size[0], size[1]
     )]
     Film {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::io::Read;
+use std::ops::Range;
 
 use super::ledger::{Reader, Subject};
 use super::{Film, Run};
@@ -39,6 +40,7 @@ type Block = Vec<Run>;
 pub fn merge<R: Read>(parts: Vec<(String, R)>) -> Result<(Subject, Film), Misfit> {
     let mut whole: Option<(String, Subject)> = None;
     let mut blocks: HashMap<(u32, u32), Block> = HashMap::new();
+    let mut ranges: Vec<Range<u32>> = Vec::new();
     for (name, part) in parts {
         let mut reader = Reader::new(part).ok_or_else(|| Misfit::NotAPart(name.clone()))?;
         let subject = reader.subject().clone();
@@ -47,6 +49,11 @@ pub fn merge<R: Read>(parts: Vec<(String, R)>) -> Result<(Subject, Film), Misfit
         if *known != all {
             return Err(Misfit::Foreign(name, first.clone()));
         }
+        let range = subject.from..subject.to;
+        if let Some(other) = ranges.iter().find(|other| other.start < range.end && range.start < other.end) {
+            return Err(Misfit::Overlap(other.start.max(range.start), other.end.min(range.end)));
+        }
+        ranges.push(range);
         let mut pixels = 0_u64;
         while let Some(run) = reader.run() {
             pixels += run.pixels.len() as u64 * run.samples.len() as u64;

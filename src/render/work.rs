@@ -102,8 +102,9 @@ impl Work {
                 let drawing = draw(scene);
                 let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
                 if bare > 0 && !drawing.faces.is_empty() {
+                    let lights = if bare == 1 { "light casts" } else { "lights cast" };
                     notes.push(format!(
-                        "{bare} lights cast no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \
+                        "{bare} {lights} no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \
                          takes six"
                     ));
                 }

@@ -32,6 +32,9 @@ pub enum Error {
         /// MiB.
         most: u64,
     },
+    /// More pixels than can be counted; the film's width and height.
+    #[error("a film of {}x{} has too many pixels; below 2^30 of them can be counted", .0[0], .0[1])]
+    Pixels([u32; 2]),
 }
 
 impl Error {

@@ -171,7 +171,8 @@ impl Resolver<'_> {
     fn film(&self, film: &file::Film) -> Result<FilmSettings, Error> {
         let size = film.size.get().0.map(|side| side.0);
         if let Err(error) = fits(size, self.reach) {
-            return self.refuse(&film.size, &error.to_string()).map_err(Error::of_memory);
+            let refused = self.refuse(&film.size, &error.to_string());
+            return refused.map_err(|told| if matches!(error, Error::Pixels(_)) { told } else { told.of_memory() });
         }
         Ok(FilmSettings { size, transfer: film.transfer, background: film.background.under(film.transfer) })
     }
@@ -208,15 +209,16 @@ impl Resolver<'_> {
 /// The fewest rows that a film has room for.
 const LEAST_ROWS: u32 = 64;
 
-/// Whether a film of this size fits into the memory that may be taken, with room for all else.
+/// Whether a film's pixels can be counted, and some rows of it fit into the memory that may be taken.
 pub(super) fn fits(size: [u32; 2], reach: &Reach) -> Result<(), Error> {
     const MIB: u64 = 1 << 20;
-    let pixels = u64::from(size[0]) * u64::from(size[1]);
+    if u64::from(size[0]) * u64::from(size[1]) >= 1 << 30 {
+        return Err(Error::Pixels(size));
+    }
     // What does not fit at once is made in bands.
     let needed = Film::bytes(size[0], size[1].min(LEAST_ROWS));
     let most = reach.most();
-    // Pixels are counted in 32 bits.
-    if pixels >= 1 << 30 || needed > most {
+    if needed > most {
         return Err(Error::Memory { size, needed: needed.div_ceil(MIB), most: most / MIB });
     }
     Ok(())

@@ -310,7 +310,7 @@ impl Scene {
     /// Another size of film, where it fits into what may be taken.
     ///
     /// # Errors
-    /// [`Error::Memory`] if it does not.
+    /// [`Error::Memory`] if it does not, and [`Error::Pixels`].
     pub fn resize_within(&mut self, size: [u32; 2], reach: &Reach) -> Result<(), Error> {
         fits(size, reach)?;
         self.film.size = size;

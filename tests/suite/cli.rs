@@ -62,7 +62,7 @@ fn wrong_words_are_told() {
         (&["--depth", "99"], 2, "from 1 to 32"),
         (&["--method", "guess"], 2, "raster"),
         (&["--backend", "tpu"], 2, "auto"),
-        (&["--size", "65536x65536"], 6, "MiB"),
+        (&["--size", "65536x65536"], 2, "too many pixels"),
         (&["-o", "picture.gif"], 2, ".png, .exr, .tga or .ppm"),
         (&["--adapter", "no such card", "--backend", "gpu"], 5, "no such card"),
     ];

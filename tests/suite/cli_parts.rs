@@ -55,7 +55,7 @@ fn parts_of_the_samples_make_the_whole() {
         (&["a.part"][..], "samples 128 to 200 are in no part"),
         (&["b.part"], "samples 0 to 128 are in no part"),
         (&["a.part", "b.part", "c.part"], "samples 64 to 128 are in two parts"),
-        (&["a.part", "a.part", "b.part"], "twice"),
+        (&["a.part", "a.part", "b.part"], "samples 0 to 128 are in two parts"),
         (&["a.part", "d.part"], "another picture"),
         (&["a.part", "torn.part"], "damaged"),
         (&["a.part", "bent.part"], "damaged"),

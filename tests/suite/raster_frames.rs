@@ -129,7 +129,7 @@ fn lights_beyond_the_room_for_shadow_maps_are_told() {
     assert_eq!(render(&scene), [""; 0]);
     scene.lights = vec![Light::Point { position: Vec3::new(1.0, 3.0, 2.0), power: Vec3::ONE }; 6];
     let notes = render(&scene);
-    assert!(notes.len() == 1 && notes[0].starts_with("1 lights cast no shadows"), "{notes:?}");
+    assert!(notes.len() == 1 && notes[0].starts_with("1 light casts no shadows"), "{notes:?}");
 }
 
 /// A light's own camera sees what is shadowed; what lies outside of its frustum, before or beside it, is lit.

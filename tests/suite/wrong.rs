@@ -67,7 +67,7 @@ fn each_fault_is_told_where_it_stands() {
         ("[0, 0, 5]", "[0, 0, nan]", 2, &["camera.position", "three numbers"]),
         ("[0, 0, 5]", "[0, 0, 5, 6]", 2, &["camera.position", "three numbers"]),
         ("[8, 6]", "[8, 0]", 9, &["film.size", "found [8, 0]", "from 1 to 65536"]),
-        ("[8, 6]", "[65536, 65536]", 9, &["film.size", "found [65536, 65536]", "MiB of memory"]),
+        ("[8, 6]", "[65536, 65536]", 9, &["film.size", "found [65536, 65536]", "too many pixels"]),
         ("toward = [1, 1, 1]", "toward = [0, 0, 0]", 12, &["light.directional[0].toward", "not all zero"]),
         (
             "toward = [1, 1, 1]",

@@ -42,6 +42,20 @@ impl Call<'_> {
         (!whole).then_some(rows.clamp(1, u64::from(height)) as u32)
     }
 
+    /// Whether a picture that is made at once fits into the memory that may be taken.
+    pub(crate) fn fits(&self, picture: &Picture, ready: &Ready) -> Result<(), Failure> {
+        let size = ready.work.size();
+        let linear = picture.file.as_ref().is_some_and(|file| matches!(Format::of(file), Ok(Format::Exr)));
+        // The film and its way back from the device; an .exr's channels and bytes; and each pass.
+        let films = 2 + 2 * u64::from(linear) + self.arguments.passes.len() as u64;
+        let (needed, most) = (films * Film::bytes(size[0], size[1]), self.arguments.job.input.reach().most());
+        if needed > most {
+            let [needed, most] = [needed.div_ceil(1 << 20), most >> 20];
+            return Err(Error::Film { size, needed, most }.into());
+        }
+        Ok(())
+    }
+
     /// Makes a picture band by band.
     #[expect(clippy::too_many_arguments, reason = "they are one picture's, and used here alone")]
     pub(crate) fn in_bands(

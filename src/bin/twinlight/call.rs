@@ -52,7 +52,7 @@ impl Call<'_> {
             scene.trace.samples = MOST_SAMPLES;
         }
         let work = Work::within(&scene, method, &self.arguments.job.input.reach())?;
-        let work = work.until(good)?;
+        let work = work.until(good)?.having(&self.arguments.passes)?;
         let work = match &self.arguments.crop {
             Some([columns, rows]) => work.crop(columns.clone(), rows.clone())?,
             None => work,
@@ -191,6 +191,7 @@ impl Call<'_> {
             self.in_bands(picture, rows, first, &stamp, claim, renderer, progress, writer)?;
             return Ok(true);
         }
+        self.fits(picture, &first)?;
         let rate = self.sources[picture.scene].frames().map_or(24.0, |(_, rate)| rate);
         let count = picture.frames.len();
         let moving = (count > 1).then_some((rate, count as u32));

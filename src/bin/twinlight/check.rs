@@ -55,6 +55,7 @@ fn check(path: &Path, input: &Input) -> Result<String, Failure> {
         (scene.lights.len(), "lights"),
     ] {
         if count > 0 {
+            let what = if count == 1 { what.trim_end_matches('s') } else { what };
             let _ = write!(told, ", {count} {what}");
         }
     }

@@ -52,12 +52,13 @@ impl Failure {
                 | render::Error::Film { .. }
                 | render::Error::Gpu(gpu::Error::NoRoom { .. }),
             ) => 6,
-            Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Usage(_)
+            | Self::Scene(SceneError::Pixels(_))
             | Self::Sizes(_)
             | Self::Explain(_)
             | Self::Film(film::Error::Ending(_))
             | Self::Render(render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Untold(_)) => 2,
+            Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Film(_) | Self::Stdout(_) => 4,
             #[cfg(feature = "viewer")]
             Self::Window(_) => 5,

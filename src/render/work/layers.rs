@@ -10,6 +10,17 @@ use crate::render::{Error, Good};
 use crate::tables::{Drawing, NONE, SHOW_ALBEDO, SHOW_DEPTH, SHOW_NORMAL, SHOW_SHADOW};
 
 impl Work {
+    /// The same, if the method has these passes.
+    ///
+    /// # Errors
+    /// [`Error::Untold`] if it has no samples to tell the variance of.
+    pub fn having(self, passes: &[Pass]) -> Result<Self, Error> {
+        match self.kind {
+            Kind::Drawn(_) if passes.contains(&Pass::Variance) => Err(Error::Untold("the variance")),
+            _ => Ok(self),
+        }
+    }
+
     /// Passes of the picture; `show` draws it with something else shown.
     pub(in crate::render) fn layers(
         &self,
