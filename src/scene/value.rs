@@ -60,6 +60,11 @@ const POSITION: &str = "a position is a list of three numbers, each from -1e9 to
 const DIRECTION: &str = "a direction is a list of three numbers from -1e9 to 1e9, not all zero";
 const COLOR: &str = "a color is a list of three numbers from 0 to 1e6, or \"#rrggbb\"";
 
+/// What would be right; of a field that is not there, that it is missing.
+fn or_missing<E: serde::de::Error>(right: &str) -> impl FnOnce(E) -> E {
+    move |error| if error.to_string().starts_with("missing field") { error } else { E::custom(right) }
+}
+
 struct Three(&'static str);
 
 impl<'de> Visitor<'de> for Three {
@@ -107,7 +112,7 @@ pub struct Position(pub Vec3);
 
 impl<'de> Deserialize<'de> for Position {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let three = deserializer.deserialize_any(Three(POSITION)).map_err(|_| D::Error::custom(POSITION))?;
+        let three = deserializer.deserialize_any(Three(POSITION)).map_err(or_missing(POSITION))?;
         bounded(three, -FARTHEST, FARTHEST).map(Self).ok_or_else(|| D::Error::custom(POSITION))
     }
 }
@@ -128,7 +133,7 @@ pub struct Direction(pub Vec3);
 
 impl<'de> Deserialize<'de> for Direction {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let three = deserializer.deserialize_any(Three(DIRECTION)).map_err(|_| D::Error::custom(DIRECTION))?;
+        let three = deserializer.deserialize_any(Three(DIRECTION)).map_err(or_missing(DIRECTION))?;
         let v = bounded(three, -FARTHEST, FARTHEST).ok_or_else(|| D::Error::custom(DIRECTION))?;
         // In f64, in which no such length is lost.
         let length = v.as_dvec3().length();
@@ -198,7 +203,7 @@ impl<'de> Visitor<'de> for ColorVisitor {
 
 impl<'de> Deserialize<'de> for Color {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ColorVisitor).map_err(|_| D::Error::custom(COLOR))
+        deserializer.deserialize_any(ColorVisitor).map_err(or_missing(COLOR))
     }
 }
 

@@ -64,6 +64,8 @@ fn each_fault_is_told_where_it_stands() {
         ("up = [0, 1, 0]", "up = [0, 0, 2]", 4, &["camera.up", "not along the view"]),
         ("look_at = [0, 0, 0]", "look_at = [0, 0, 5]", 3, &["camera.look_at", "not its own position"]),
         ("look_at = [0, 0, 0]\n", "", 1, &["camera", "missing field `look_at`"]),
+        ("toward = [1, 1, 1]\n", "", 11, &["light.directional[0]", "missing field `toward`"]),
+        ("radius = 1\n", "", 18, &["object.sphere[0]", "missing field `radius`"]),
         ("[0, 0, 5]", "[0, 0, nan]", 2, &["camera.position", "three numbers"]),
         ("[0, 0, 5]", "[0, 0, 5, 6]", 2, &["camera.position", "three numbers"]),
         ("[8, 6]", "[8, 0]", 9, &["film.size", "found [8, 0]", "from 1 to 65536"]),

@@ -5,6 +5,8 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, Visitor};
 
+use super::or_missing;
+
 /// A number between two bounds, both of them allowed, and what to say if it is not.
 macro_rules! number {
     ($(#[$doc:meta])* $name:ident, $low:expr, $high:expr, $right:literal) => {
@@ -14,7 +16,7 @@ macro_rules! number {
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let number = deserializer.deserialize_any(Number($right)).map_err(|_| D::Error::custom($right))?;
+                let number = deserializer.deserialize_any(Number($right)).map_err(or_missing($right))?;
                 let single = number as f32;
                 if ($low..=$high).contains(&single) { Ok(Self(single)) } else { Err(D::Error::custom($right)) }
             }
@@ -117,7 +119,7 @@ macro_rules! count {
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                let number = i64::deserialize(deserializer).map_err(|_| D::Error::custom($right))?;
+                let number = i64::deserialize(deserializer).map_err(or_missing($right))?;
                 Self::new(number).ok_or_else(|| D::Error::custom($right))
             }
         }
