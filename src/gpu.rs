@@ -249,6 +249,16 @@ impl Gpu {
         self.lost.load(Ordering::Acquire)
     }
 
+    /// The same, after a look at the device: it tells of its end when it is asked, and not before.
+    #[must_use]
+    pub fn is_lost(&self) -> bool {
+        let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::Poll)));
+        if polled.is_err() {
+            self.lost.store(true, Ordering::Release);
+        }
+        self.lost()
+    }
+
     /// Whether it is a program on this machine's processor.
     #[must_use]
     pub fn software(&self) -> bool {

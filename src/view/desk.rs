@@ -99,6 +99,13 @@ impl Desk {
         }
     }
 
+    /// What was put in by hand is an edit that would be lost.
+    #[must_use]
+    pub fn with_unsaved_edits(mut self) -> Self {
+        self.given.clear();
+        self
+    }
+
     /// The file that was opened.
     #[must_use]
     pub fn path(&self) -> &Path {

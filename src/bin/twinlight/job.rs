@@ -111,6 +111,16 @@ impl Job {
         Ok(edits)
     }
 
+    /// What of the arguments is about this machine, and not about what is seen.
+    #[cfg(feature = "viewer")]
+    pub(crate) fn about_machine(&self) -> Vec<String> {
+        let search = self.input.search.iter().map(|path| ("--search-path", path.to_string_lossy().into_owned()));
+        let memory = self.input.max_memory.map(|bytes| ("--max-memory", bytes.to_string()));
+        let adapter = self.adapter.clone().map(|name| ("--adapter", name));
+        let all = search.chain(memory).chain(adapter);
+        all.flat_map(|(option, value)| [option.to_owned(), value]).collect()
+    }
+
     /// The adapter that is asked for.
     pub(crate) fn wanted(&self) -> Wanted {
         self.adapter.clone().map_or(Wanted::Best, Wanted::Named)

@@ -39,11 +39,17 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     pub(crate) job: Job,
     /// Who renders: a key changes it.
-    #[arg(long, default_value = "gpu")]
+    #[arg(long, default_value = "gpu", overrides_with = "backend")]
     pub(crate) backend: Side,
     /// A saved picture that the scene's is compared with; one can be dropped on the window, too.
     #[arg(long, value_name = "PICTURE")]
     pub(crate) beside: Option<PathBuf>,
+    /// Give the device up after so many seconds, once: how a test has a window lose it.
+    #[arg(long, value_name = "SECONDS", hide = true)]
+    pub(crate) lose_device_after: Option<u64>,
+    /// How often the window before this one has lost its device.
+    #[arg(long, value_name = "N", default_value_t = 0, hide = true)]
+    pub(crate) losses: u32,
 }
 
 #[cfg(feature = "viewer")]

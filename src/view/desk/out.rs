@@ -41,20 +41,31 @@ impl Desk {
     /// # Errors
     /// A sentence, if the camera cannot be written.
     pub fn command(&self, size: [u32; 2], file: &Path) -> Result<String, String> {
-        let mut words = vec!["twinlight".to_owned(), "render".to_owned(), quoted(&self.path().to_string_lossy())];
-        let mut say = |option: &str, value: &str| words.extend([option.to_owned(), quoted(value)]);
+        let [size, file] = [format!("{}x{}", size[0], size[1]), file.to_string_lossy().into_owned()];
+        let words = self.words(&["film.size"])?;
+        let words = ["twinlight", "render"].into_iter().chain(words.iter().map(String::as_str));
+        let words = words.chain(["--size", &size, "-o", &file]).map(quoted);
+        Ok(words.collect::<Vec<_>>().join(" "))
+    }
+
+    /// The scene, and the options with which `render` and `view` see it as it is seen now; some places stay the file's.
+    ///
+    /// # Errors
+    /// A sentence, if the camera cannot be written.
+    pub fn words(&self, but: &[&str]) -> Result<Vec<String>, String> {
+        let mut words = vec![self.path().to_string_lossy().into_owned()];
+        let mut say = |option: &str, value: &str| words.extend([option.to_owned(), value.to_owned()]);
         say("--method", if self.method == Method::Raster { "raster" } else { "trace" });
         say("--backend", if self.side == Side::Gpu { "gpu" } else { "cpu" });
-        say("--size", &format!("{}x{}", size[0], size[1]));
         if self.scene.raster.show.method() == Some(self.method) {
             let show = clap::ValueEnum::to_possible_value(&self.scene.raster.show);
             say("--show", show.as_ref().map_or("color", |show| show.get_name()));
         }
-        for (place, value) in self.with_camera()?.edits().iter().filter(|(place, _)| place != "film.size") {
+        for (place, value) in self.with_camera()?.edits().iter().filter(|(place, _)| !but.contains(&place.as_str()))
+        {
             say("--set", &format!("{place}={value}"));
         }
-        say("-o", &file.to_string_lossy());
-        Ok(words.join(" "))
+        Ok(words)
     }
 
     /// The camera as a scene file has it.

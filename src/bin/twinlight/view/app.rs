@@ -1,8 +1,8 @@
 //! the window: what was done in it -> wishes to the worker, and the worker's pictures
 
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::mpsc::Receiver;
+use std::sync::{Arc, PoisonError};
 
 use eframe::egui;
 use eframe::egui_wgpu::RenderState;
@@ -18,6 +18,7 @@ use twinlight::view::worker::{Inside, Order, Report, Worker};
 use super::lights::Lights;
 use super::out::{self, Full};
 use super::picture::Picture;
+use super::shell::Left;
 use super::stage::{Beside, Compared};
 use super::watcher::Watcher;
 use super::{Arguments, hand};
@@ -56,6 +57,8 @@ pub(super) struct App {
     /// A picture to compare with.
     pub(super) saved: Option<Arc<Saved>>,
     pub(super) lights: Lights,
+    /// For the window after this one.
+    left: Left,
     title: String,
 }
 
@@ -72,7 +75,11 @@ pub(super) struct Inspected {
 pub(super) const KERNELS: &str = "wgsl";
 
 impl App {
-    pub(super) fn new(cc: &eframe::CreationContext<'_>, arguments: &Arguments) -> Result<Self, Failure> {
+    pub(super) fn new(
+        cc: &eframe::CreationContext<'_>,
+        arguments: &Arguments,
+        left: Left,
+    ) -> Result<Self, Failure> {
         let state = cc.wgpu_render_state.clone();
         let state = state.ok_or_else(|| Failure::Window("the window has no GPU device".to_owned()))?;
         let gpu = Arc::new(Gpu::share(state.adapter.clone(), state.device.clone(), state.queue.clone()));
@@ -105,11 +112,24 @@ impl App {
             inside: Inside::default(),
             saved: None,
             lights: Lights::default(),
+            left,
             title: String::new(),
         };
         if Path::new(KERNELS).join("film/develop.wgsl").is_file() {
             let files = FILES.iter().map(|(name, _)| Path::new(KERNELS).join(name).with_extension("wgsl"));
             app.watcher.about_kernels(files.collect());
+        }
+        if let Some(seconds) = arguments.lose_device_after {
+            let (device, ctx) = (app.gpu.device().clone(), ctx.clone());
+            std::thread::spawn(move || {
+                std::thread::sleep(std::time::Duration::from_secs(seconds));
+                device.destroy();
+                ctx.request_repaint();
+            });
+        }
+        if arguments.losses > 0 {
+            let name = &app.gpu.adapter().name;
+            app.note = Some(format!("{name} was lost; this is a new device, and nothing that you did is gone"));
         }
         if let Some(path) = arguments.scene.clone() {
             app.load(ctx, path, arguments.job.edits()?, false);
@@ -204,6 +224,15 @@ impl App {
         self.changed = true;
     }
 
+    /// The device is lost, and with it all that this window shows: another one goes on.
+    fn leave(&mut self) {
+        let mut left = self.left.lock().unwrap_or_else(PoisonError::into_inner);
+        let desk = self.desk.take().and_then(|desk| desk.words(&[]).ok());
+        let mut words = desk.or_else(|| Some(vec![self.arguments.scene.as_ref()?.to_string_lossy().into_owned()]));
+        words.get_or_insert_default().extend(self.arguments.job.about_machine());
+        *left = left.take().or(words);
+    }
+
     /// Asks for the picture as it is to be now.
     pub(super) fn ask(&mut self) {
         let Some(desk) = &self.desk else { return };
@@ -236,9 +265,23 @@ impl App {
     }
 }
 
+impl Drop for App {
+    /// The device may be lost between a frame's beginning and its end: then egui's painter panics.
+    fn drop(&mut self) {
+        if std::thread::panicking() || self.gpu.is_lost() {
+            self.leave();
+        }
+    }
+}
+
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
+        if self.gpu.is_lost() {
+            self.leave();
+            ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            return;
+        }
         self.listen(&ctx);
         for command in hand::commands(&ctx) {
             self.obey(&ctx, command);

@@ -91,6 +91,13 @@ impl App {
         }
     }
 
+    /// Looks after the files of the scene that is there.
+    pub(super) fn watch(&mut self) {
+        if let Some(desk) = &self.desk {
+            self.watcher.about_scene(desk.files());
+        }
+    }
+
     fn arrive(&mut self, read: Result<Desk, String>, again: bool) {
         match read {
             Ok(read) => {
@@ -101,15 +108,16 @@ impl App {
                     Some(desk) if again => desk.renew(read),
                     desk => {
                         let mut read = read.with(method, self.arguments.backend);
+                        if self.arguments.losses > 0 {
+                            read = read.with_unsaved_edits();
+                        }
                         if let Some(show) = show {
                             read.obey(Command::Show(show));
                         }
                         *desk = Some(read);
                     }
                 }
-                if let Some(desk) = &self.desk {
-                    self.watcher.about_scene(desk.files());
-                }
+                self.watch();
             }
             Err(error) => self.error = Some(error),
         }

@@ -11,7 +11,7 @@ use twinlight::film::{self, Watch, picture_of};
 use twinlight::gpu::{Gpu, Screen, Wanted};
 use twinlight::render::Work;
 use twinlight::render::live::{Side, Wish};
-use twinlight::render::{Backend, Renderer};
+use twinlight::render::{Backend, Error, Renderer};
 use twinlight::scene::Reach;
 use twinlight::view::desk::Desk;
 
@@ -82,9 +82,11 @@ impl Full {
                 let mut renderer = Renderer::open(backend, &wanted)?;
                 renderer.make(&Work::within(&scene, method, &reach)?, &mut told)
             })();
-            let written = made
-                .map_err(|error| error.to_string())
-                .and_then(|made| write(&file, &made.film, scene.film.transfer));
+            let written = match made {
+                Ok(made) => write(&file, &made.film, scene.film.transfer),
+                Err(Error::Stopped) => Ok("the render is cancelled".to_owned()),
+                Err(error) => Err(error.to_string()),
+            };
             // The window may be gone.
             let _ = tell.send(written);
             told.ctx.request_repaint();
