@@ -20,6 +20,8 @@ mod shell;
 mod show;
 #[cfg(feature = "viewer")]
 mod stage;
+#[cfg(all(test, feature = "viewer-tests"))]
+mod tests;
 #[cfg(feature = "viewer")]
 mod times;
 #[cfg(feature = "viewer")]

@@ -96,6 +96,12 @@ impl Compared {
         Self { beside, worker, report, picture, saved: None, wipe: 0.5, difference: false, found: None }
     }
 
+    /// What is said of the difference.
+    #[cfg(test)]
+    pub(super) fn words(&self) -> Option<&str> {
+        self.found.as_ref().map(|(_, _, words)| words.as_str())
+    }
+
     pub(super) fn ask(&self, order: &Order) {
         if matches!(self.beside, Beside::Saved(_)) {
             return;
