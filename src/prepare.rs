@@ -2,6 +2,7 @@
 
 pub mod bvh;
 mod draw;
+mod instances;
 mod leaves;
 pub mod lens;
 mod levels;
@@ -18,8 +19,8 @@ use leaves::Leaves;
 use mesh::Sheet;
 
 use crate::math::vector::unit;
-use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Show, Specular};
-use crate::tables::{self, CUT_OUT, ONE_SIDED, TRIANGLE, Tables, View};
+use crate::scene::{Behavior, Camera, Filter, Light, Material, Scene, Show, Specular, model};
+use crate::tables::{self, Tables, View};
 
 /// The tables of a scene.
 #[must_use]
@@ -31,21 +32,10 @@ pub fn prepare(scene: &Scene) -> Tables {
 #[must_use]
 pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     let material = |i: usize| i as u32;
-    let Leaves { all: mut leaves, tree, materials } = leaves::leaves(scene, builder);
     let mut sheet = Sheet::new(scene);
-    sheet.triangles(scene);
-    sheet.meshes(scene);
-    let Sheet { vertices, faces, paints, texels, .. } = sheet;
-    let first_face = (scene.spheres.len() + scene.planes.len()) as u32;
-    for leaf in leaves.iter_mut().filter(|leaf| leaf.kind == TRIANGLE) {
-        leaf.kind |= faces[(leaf.id - first_face) as usize].paint & (ONE_SIDED | CUT_OUT);
-        // What goes into glass has to come out of it.
-        let own = scene.materials.get(leaf.material as usize);
-        if own.is_some_and(|material| material.behavior == Behavior::Glass) {
-            leaf.kind &= !ONE_SIDED;
-        }
-    }
-    let bounds = if tree.order.is_empty() { Bounds::around([Vec3::ZERO]) } else { tree.bounds };
+    let Leaves { all: leaves, nodes, deep, instances, loose, bounds } = leaves::leaves(scene, &mut sheet, builder);
+    let Sheet { vertices, faces, paints, texels, materials, .. } = sheet;
+    let bounds = if leaves.len() == scene.planes.len() { Bounds::around([Vec3::ZERO]) } else { bounds };
     let mut tables = Tables {
         view: view(scene),
         settings: tables::Settings {
@@ -63,8 +53,9 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
             high: bounds.high.truncate(),
             zero: 0,
             filtering: filtering(scene.trace.filter),
-            pad_a: 0,
-            pad_b: [0; 2],
+            instances: instances.len() as u32,
+            loose,
+            pad: 0,
         },
         samples: scene.trace.samples,
         spheres: scene
@@ -84,9 +75,10 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
             .map(|p| tables::Plane { point: p.point, material: material(p.material), normal: p.normal, pad: 0 })
             .collect(),
         leaves,
-        nodes: tree.nodes,
-        deep: tree.deep,
-        materials: scene.materials.iter().map(paint).chain(materials).collect(),
+        nodes,
+        deep,
+        instances,
+        materials: scene.materials.iter().map(paint).chain(materials.iter().map(dress)).collect(),
         paints,
         faces,
         vertices,
@@ -146,6 +138,20 @@ fn paint(m: &Material) -> tables::Material {
             Behavior::Diffuse => tables::DIFFUSE,
             Behavior::Glass => tables::GLASS,
         },
+    }
+}
+
+/// A model's material.
+fn dress(m: &model::Material) -> tables::Material {
+    tables::Material {
+        color: m.diffuse,
+        local_weight: 1.0,
+        tint: tint(m.diffuse),
+        reflect_weight: 0.0,
+        refract_weight: 0.0,
+        exponent: m.exponent,
+        index: 1.0,
+        behavior: tables::MIRROR,
     }
 }
 

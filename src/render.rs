@@ -2,6 +2,7 @@
 
 mod good;
 pub mod live;
+mod room;
 mod work;
 
 pub use good::Good;
@@ -60,6 +61,9 @@ pub enum Error {
         /// MiB.
         most: u64,
     },
+    /// More triangles than 32 bits can number, every instance's counted.
+    #[error("the scene has {0} triangles with all of its instances, and 4294967294 can be told apart")]
+    Numbers(u64),
     /// Samples that cannot be made alone; how many there are.
     #[error("{}", no_samples(*.0))]
     Samples(u32),

@@ -22,7 +22,7 @@ pub use draft::{Draft, Held};
 pub use error::Error;
 pub use file::{Behavior, Filter, Method, Specular};
 pub use maps::Maps;
-pub use mesh::Mesh;
+pub use mesh::{Instance, Mesh};
 pub use source::{Reach, Source, load, parse};
 
 use glam::{Vec2, Vec3};

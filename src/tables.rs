@@ -3,6 +3,7 @@
 //!
 //! Each vector of three is followed by a scalar, so that no padding hides between them.
 
+mod instance;
 mod leaf;
 mod lens;
 mod light;
@@ -21,7 +22,8 @@ mod status;
 mod texel;
 mod view;
 
-pub use leaf::{Leaf, PLANE, SPHERE, TRIANGLE};
+pub use instance::Instance;
+pub use leaf::{INSTANCE, Leaf, PLANE, SPHERE, TRIANGLE};
 pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, REGION, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
@@ -55,17 +57,23 @@ pub struct Tables {
     pub spheres: Vec<Sphere>,
     /// Primitives after the spheres, for scenes of few things.
     pub planes: Vec<Plane>,
-    /// All primitives: planes, then the others in the order of the tree.
+    /// All primitives: planes, then the others in the order of the tree, with boxes of instances among them; then
+    /// those of the models that stand there, as the model has them.
     pub leaves: Vec<Leaf>,
-    /// The tree over all primitives but planes; the root is the first.
+    /// The tree over all primitives but planes, and over the boxes of instances; the root is the first. After it, the
+    /// trees of the models that stand there.
     pub nodes: Vec<Node>,
-    /// Nodes on the longest way from the root down: the most that a walk's stack holds.
+    /// The most that a walk's stack holds: nodes on the longest way from the root down. With instances two for each,
+    /// those of the deepest model's tree, and one place, the last, that says in which of the instances the walk is.
     pub deep: u32,
+    /// The models' trees in their places, those with the lower ids first.
+    pub instances: Vec<Instance>,
     /// What the primitives are made of.
     pub materials: Vec<Material>,
     /// What pictures are laid over each of the materials.
     pub paints: Vec<Paint>,
-    /// All triangles, in the order of their numbers: the first is the one after the planes.
+    /// All triangles, in the order of their numbers: the first is the one after the planes. After those that stand
+    /// once, those of instances, as the model has them.
     pub faces: Vec<Face>,
     /// What they share.
     pub vertices: Vec<Vertex>,
@@ -123,6 +131,7 @@ impl Tables {
             leaves,
             nodes,
             deep: _,
+            instances,
             materials,
             paints,
             faces,
@@ -139,6 +148,7 @@ impl Tables {
         to(bytemuck::cast_slice(planes));
         to(bytemuck::cast_slice(leaves));
         to(bytemuck::cast_slice(nodes));
+        to(bytemuck::cast_slice(instances));
         to(bytemuck::cast_slice(materials));
         to(bytemuck::cast_slice(paints));
         to(bytemuck::cast_slice(faces));

@@ -71,7 +71,7 @@ impl<'a> OnGpu<'a> {
     fn new(gpu: &'a Gpu, tables: &'a Tables) -> Self {
         let sources = Sources::default().with("rays", include_str!("rays.wgsl").to_owned());
         let sources = sources.with_count("deep", tables.deep).with_count("spheres_below", 0);
-        let sources = sources.with_count("pierced", 0);
+        let sources = sources.with_count("pierced", 0).with_count("copies", 0);
         let kernel = Kernel::new(gpu, &sources, "rays").unwrap_or_else(|e| panic!("{e}"));
         Self { gpu, kernel, tables }
     }

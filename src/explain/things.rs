@@ -31,16 +31,27 @@ enum Kind {
 /// What a face of a drawing belongs to.
 pub(super) fn drawn(scene: &Scene, id: u32) -> Thing {
     let order = [(Kind::Mesh, 1), (Kind::Sphere, SPHERE_FACES), (Kind::Triangle, 1), (Kind::Plane, PLANE_FACES)];
-    find(scene, order, id)
+    find(scene, order, &(0..scene.meshes.len()).collect::<Vec<_>>(), id)
 }
 
 /// What a primitive of the ray tracer is.
 pub(super) fn traced(scene: &Scene, id: u32) -> Thing {
-    find(scene, [(Kind::Sphere, 1), (Kind::Plane, 1), (Kind::Triangle, 1), (Kind::Mesh, 1)], id)
+    let (alone, shared) = scene.alone_and_shared();
+    let meshes = [alone, shared.concat()].concat();
+    find(scene, [(Kind::Sphere, 1), (Kind::Plane, 1), (Kind::Triangle, 1), (Kind::Mesh, 1)], &meshes, id)
+}
+
+/// A mesh by its table in the scene file: instances stand in that of their mesh.
+fn called(scene: &Scene, mesh: usize) -> String {
+    let begins = |mesh: &&Mesh| mesh.instance.is_none_or(|instance| instance.number == 0);
+    let table = scene.meshes[..=mesh].iter().filter(begins).count() - 1;
+    let instance = scene.meshes[mesh].instance.map(|instance| format!(".instance[{}]", instance.number));
+    format!("object.mesh[{table}]{}", instance.unwrap_or_default())
 }
 
 /// `order`: the kinds in their order, and how many numbers one of each kind takes; a mesh takes one for each triangle.
-fn find(scene: &Scene, order: [(Kind, u32); 4], id: u32) -> Thing {
+/// `meshes`: the numbers of the meshes in their order.
+fn find(scene: &Scene, order: [(Kind, u32); 4], meshes: &[usize], id: u32) -> Thing {
     let mut left = id;
     let name = |material: usize| scene.materials[material].name.clone();
     for (kind, each) in order {
@@ -49,13 +60,14 @@ fn find(scene: &Scene, order: [(Kind, u32); 4], id: u32) -> Thing {
             Kind::Triangle => ("triangle", scene.triangles.iter().map(|t| t.material).collect()),
             Kind::Plane => ("plane", scene.planes.iter().map(|p| p.material).collect()),
             Kind::Mesh => {
-                for (number, Mesh { model, material, .. }) in scene.meshes.iter().enumerate() {
+                for &number in meshes {
+                    let Mesh { model, material, .. } = &scene.meshes[number];
                     if let Some(of) = model.triangles.get(left as usize) {
                         let own = || model.materials[of.material as usize].name.clone();
                         let group = model.groups.get(of.group as usize).filter(|name| !name.is_empty());
                         return Thing {
                             id,
-                            object: format!("object.mesh[{number}]"),
+                            object: called(scene, number),
                             triangle: Some(left),
                             group: group.cloned(),
                             material: material.map_or_else(own, name),

@@ -5,6 +5,7 @@ use glam::{Vec2, Vec3};
 use super::drawn::Maps;
 use super::things::{self, Thing};
 use super::traced::{Kind, Meeting, Onward, ShadowRay, Traced, TracedSample, Way};
+use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::surface::Surface;
 use crate::cpu::trace::tree::Lit;
 use crate::cpu::trace::unrolled::nearest;
@@ -65,14 +66,14 @@ impl<'a> Heard<'a> {
 
     /// A hit is a leaf, or in a scene of few things a primitive's own number.
     fn thing(&self, hit: u32) -> (Thing, Kind) {
-        let id = if self.tables.few { hit } else { self.tables.leaves[hit as usize].id };
-        let leaf = self.tables.leaves.iter().find(|leaf| leaf.id == id);
-        let kind = match leaf.map(|leaf| leaf.kind) {
-            Some(SPHERE) => Kind::Sphere,
-            Some(PLANE) => Kind::Plane,
+        let own = self.tables.leaves.iter().find(|leaf| self.tables.few && leaf.id == hit);
+        let leaf = own.copied().unwrap_or_else(|| primitive_at(self.tables, hit).leaf);
+        let kind = match leaf.kind {
+            SPHERE => Kind::Sphere,
+            PLANE => Kind::Plane,
             _ => Kind::Triangle,
         };
-        (things::traced(self.scene, id), kind)
+        (things::traced(self.scene, leaf.id), kind)
     }
 
     /// What a shadow ray meets first.

@@ -66,6 +66,7 @@ impl Scenery {
             paints: std::mem::take(&mut self.drawing.paints),
             texels: std::mem::take(&mut self.drawing.texels),
             textures: std::mem::take(&mut self.textures),
+            ..Sheet::default()
         };
         sheet.vertices.truncate(self.solid[0]);
         sheet.faces.truncate(self.solid[1]);
@@ -81,7 +82,7 @@ impl Scenery {
 
     fn lay(&mut self, mut sheet: Sheet, scene: &Scene) {
         sheet.planes(scene);
-        let Sheet { vertices, mut faces, paints, texels, textures } = sheet;
+        let Sheet { vertices, mut faces, paints, texels, textures, .. } = sheet;
         if scene.raster.show == Show::Tiles {
             // A cut-out face is work for all of its pixels.
             for face in &mut faces {

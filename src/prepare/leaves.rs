@@ -1,95 +1,100 @@
-//! objects of every kind -> leaves, the materials of models, and the tree over them
+//! objects of every kind -> leaves, and the trees over them
 
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::bvh::{Bounds, Builder, Tree};
-use super::tint;
-use crate::scene::{Mesh, Plane, Scene, model};
-use crate::tables::{Leaf, MIRROR, Material, PLANE, SPHERE, TRIANGLE};
+use super::bvh::{Bounds, Builder};
+use super::instances::form;
+use super::mesh::Sheet;
+use crate::scene::{Plane, Scene};
+use crate::tables::{CUT_OUT, Face, INSTANCE, Instance, Leaf, Node, ONE_SIDED, PLANE, SPHERE, TRIANGLE};
 
-/// A scene's primitives and their tree.
+/// A scene's primitives and their trees, as [`Tables`](crate::tables::Tables) have them.
 pub(super) struct Leaves {
     pub(super) all: Vec<Leaf>,
-    pub(super) tree: Tree,
-    /// What models are made of, after the scene's own.
-    pub(super) materials: Vec<Material>,
+    pub(super) nodes: Vec<Node>,
+    pub(super) deep: u32,
+    pub(super) instances: Vec<Instance>,
+    /// Primitives with ids from this on are those of instances.
+    pub(super) loose: u32,
+    /// Around all but planes.
+    pub(super) bounds: Bounds,
 }
 
-/// All primitives: planes, then the others in the order of their tree.
-pub(super) fn leaves(scene: &Scene, builder: &dyn Builder) -> Leaves {
-    let mut id = 0_u32;
-    let mut leaf = |kind: u32, material: usize, [a, b, c]: [Vec3; 3]| {
-        id += 1;
-        Leaf { a, id: id - 1, b, material: material as u32, c, kind }
-    };
-    let none = Vec3::ZERO;
-    let mut below: Vec<Leaf> = Vec::new();
-    for s in &scene.spheres {
-        below.push(leaf(SPHERE, s.material, [s.center, Vec3::X * s.radius, none]));
+/// All primitives, and on the sheet the faces of those that are triangles.
+pub(super) fn leaves(scene: &Scene, sheet: &mut Sheet, builder: &dyn Builder) -> Leaves {
+    let (alone, shared) = scene.alone_and_shared();
+    sheet.triangles(scene);
+    for mesh in alone.into_iter().map(|i| &scene.meshes[i]) {
+        sheet.stand(mesh, scene, scene.has_no_backs(mesh));
     }
+    let spheres = scene.spheres.iter().zip(0..).map(|(s, id)| {
+        let [b, c] = [Vec3::X * s.radius, Vec3::ZERO];
+        Leaf { a: s.center, id, b, material: s.material as u32, c, kind: SPHERE }
+    });
+    let mut below: Vec<Leaf> = spheres.collect();
     let along_u = |p: &Plane| p.axes()[0] / p.tile;
-    let mut leaves: Vec<Leaf> =
-        scene.planes.iter().map(|p| leaf(PLANE, p.material, [p.point, p.normal, along_u(p)])).collect();
-    for t in &scene.triangles {
-        below.push(leaf(TRIANGLE, t.material, t.vertices));
+    let planes = scene.planes.iter().zip(below.len() as u32..).map(|(p, id)| {
+        let material = p.material as u32;
+        Leaf { a: p.point, id, b: p.normal, material, c: along_u(p), kind: PLANE }
+    });
+    let mut all: Vec<Leaf> = planes.collect();
+    let first = (below.len() + all.len()) as u32;
+    for (face, i) in sheet.faces.iter().zip(0..) {
+        let leaf = triangle(sheet, face, first + i);
+        // Of a model, one without area is met by no ray, and has no normal.
+        if (i as usize) < scene.triangles.len() || across(&leaf) != Vec3::ZERO {
+            below.push(leaf);
+        }
     }
-    let mut materials = Vec::new();
-    for mesh in &scene.meshes {
-        let first = scene.materials.len() + materials.len();
-        if mesh.material.is_none() {
-            materials.extend(mesh.model.materials.iter().map(dress));
-        }
-        for (corners, material) in triangles(mesh) {
-            let triangle = leaf(TRIANGLE, mesh.material.unwrap_or(first + material as usize), corners);
-            // One without area is met by no ray, and has no normal.
-            if across(corners) != Vec3::ZERO {
-                below.push(triangle);
-            }
-        }
+    let loose = first + sheet.faces.len() as u32;
+    let mut id = loose;
+    let forms: Vec<_> = shared.into_iter().map(|meshes| form(scene, meshes, sheet, builder)).collect();
+    let placed: Vec<Vec<_>> = forms.iter().map(|form| form.instances(scene, &mut id)).collect();
+    for ((_, around), number) in placed.iter().flatten().zip(0..) {
+        let [a, b] = [around.low, around.high].map(Vec4::truncate);
+        below.push(Leaf { a, id: 0, b, material: number, c: Vec3::ZERO, kind: INSTANCE });
     }
     let boxes: Vec<Bounds> = below.par_iter().map(around).collect();
-    let mut tree = builder.build(&boxes);
-    for node in &mut tree.nodes {
-        node.leaves += leaves.len() as u32;
+    let tree = builder.build(&boxes);
+    let mut nodes: Vec<Node> =
+        tree.nodes.iter().map(|node| Node { leaves: node.leaves + all.len() as u32, ..*node }).collect();
+    all.par_extend(tree.order.par_iter().map(|&i| below[i as usize]));
+    let mut deep = tree.deep;
+    let mut instances = Vec::new();
+    for (form, placed) in forms.iter().zip(placed) {
+        let (root, leaves) = (nodes.len() as u32, all.len() as u32);
+        let moved = |node: &Node| Node { children: node.children + root, leaves: node.leaves + leaves, ..*node };
+        nodes.extend(form.tree.nodes.iter().map(moved));
+        all.extend_from_slice(&form.leaves);
+        instances.extend(placed.into_iter().map(|(instance, _)| Instance { root, leaves, ..instance }));
+        deep = deep.max(2 * tree.deep + form.tree.deep + 1);
     }
-    leaves.par_extend(tree.order.par_iter().map(|&i| below[i as usize]));
-    Leaves { all: leaves, tree, materials }
+    Leaves { all, nodes, deep, instances, loose, bounds: tree.bounds }
 }
 
-fn across([a, b, c]: [Vec3; 3]) -> Vec3 {
-    (b - a).cross(c - a)
+/// A face as a leaf.
+pub(super) fn triangle(sheet: &Sheet, face: &Face, id: u32) -> Leaf {
+    let [a, b, c] = [face.a, face.b, face.c].map(|i| sheet.vertices[i as usize].position);
+    let marks = face.paint & (ONE_SIDED | CUT_OUT);
+    Leaf { a, id, b, material: face.paint ^ marks, c, kind: TRIANGLE | marks }
 }
 
-/// A model's triangles in world space, each with which of the model's materials it is made of.
-fn triangles(mesh: &Mesh) -> impl Iterator<Item = ([Vec3; 3], u32)> {
-    let positions: Vec<Vec3> = mesh.model.positions.iter().map(|p| mesh.place(*p)).collect();
-    mesh.model
-        .triangles
-        .iter()
-        .map(move |t| (t.corners.map(|corner| positions[corner.position as usize]), t.material))
-}
-
-fn dress(m: &model::Material) -> Material {
-    Material {
-        color: m.diffuse,
-        local_weight: 1.0,
-        tint: tint(m.diffuse),
-        reflect_weight: 0.0,
-        refract_weight: 0.0,
-        exponent: m.exponent,
-        index: 1.0,
-        behavior: MIRROR,
-    }
+/// Twice a triangle's area, along its normal.
+pub(super) fn across(leaf: &Leaf) -> Vec3 {
+    (leaf.b - leaf.a).cross(leaf.c - leaf.a)
 }
 
 /// The box around a primitive that is not a plane.
-fn around(leaf: &Leaf) -> Bounds {
-    if leaf.kind == SPHERE {
-        let down = |x: f32| (x - leaf.b.x).next_down();
-        let up = |x: f32| (x + leaf.b.x).next_up();
-        let center = leaf.a.to_array();
-        return Bounds::around([Vec3::from_array(center.map(down)), Vec3::from_array(center.map(up))]);
+pub(super) fn around(leaf: &Leaf) -> Bounds {
+    match leaf.kind {
+        SPHERE => {
+            let down = |x: f32| (x - leaf.b.x).next_down();
+            let up = |x: f32| (x + leaf.b.x).next_up();
+            let center = leaf.a.to_array();
+            Bounds::around([Vec3::from_array(center.map(down)), Vec3::from_array(center.map(up))])
+        }
+        INSTANCE => Bounds::around([leaf.a, leaf.b]),
+        _ => Bounds::around([leaf.a, leaf.b, leaf.c]),
     }
-    Bounds::around([leaf.a, leaf.b, leaf.c])
 }

@@ -1,6 +1,8 @@
 //! objects of every kind -> vertices, faces, paints and texels
 
 use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
@@ -20,6 +22,19 @@ pub(super) struct Sheet {
     pub(super) texels: Vec<u32>,
     /// The scene's own pictures.
     pub(super) textures: Vec<Map>,
+    /// What models are made of, after the scene's own materials.
+    pub(super) materials: Vec<model::Material>,
+    /// The first paint of each model that is dressed, by where it lies in memory.
+    pub(super) known: HashMap<usize, u32>,
+}
+
+/// What a mesh's faces are painted with.
+#[derive(Debug, Clone, Copy)]
+enum Cover {
+    /// Its model's materials, whose first paint is this.
+    Own(u32),
+    /// One of the scene's.
+    With(usize),
 }
 
 const BARE: Map = Map { first: NONE, width: 0, height: 0, levels: 0, scale: Vec2::ONE, shift: Vec2::ZERO };
@@ -50,33 +65,66 @@ impl Sheet {
         }
     }
 
+    /// All meshes where they stand.
     pub(super) fn meshes(&mut self, scene: &Scene) {
         for mesh in &scene.meshes {
-            let textures: Vec<Map> =
-                mesh.model.textures.iter().map(|t| self.texture(t, scene.film.transfer)).collect();
-            let first_paint = self.paints.len() as u32;
-            if mesh.material.is_none() {
-                self.paints.extend(mesh.model.materials.iter().map(|m| dress(m, &textures)));
-            }
-            self.mesh(mesh, first_paint);
+            self.stand(mesh, scene, mesh.one_sided);
         }
     }
 
-    fn mesh(&mut self, mesh: &Mesh, first_paint: u32) {
+    /// A mesh where it stands.
+    pub(super) fn stand(&mut self, mesh: &Mesh, scene: &Scene, one_sided: bool) {
+        let paint = mesh.material.map_or_else(|| Cover::Own(self.dressed(mesh, scene)), Cover::With);
+        self.mesh(mesh, one_sided, paint, |p| mesh.place(p), |n| mesh.turn(n));
+    }
+
+    /// A mesh as its model has it, for all that share it: what covers it is told by each of them.
+    pub(super) fn model(&mut self, mesh: &Mesh, scene: &Scene) -> Range<usize> {
+        let first = self.faces.len();
+        let paint = mesh.material.map_or_else(|| Cover::Own(self.dressed(mesh, scene)), |_| Cover::With(0));
+        self.mesh(mesh, scene.has_no_backs(mesh), paint, |p| p, |n| n);
+        first..self.faces.len()
+    }
+
+    /// The first of the paints of a model, whose pictures are there once.
+    fn dressed(&mut self, mesh: &Mesh, scene: &Scene) -> u32 {
+        let model = &mesh.model;
+        if let Some(&first) = self.known.get(&Arc::as_ptr(model).addr()) {
+            return first;
+        }
+        let textures: Vec<Map> = model.textures.iter().map(|t| self.texture(t, scene.film.transfer)).collect();
+        let first = self.paints.len() as u32;
+        self.paints.extend(model.materials.iter().map(|m| dress(m, &textures)));
+        self.materials.extend(model.materials.iter().cloned());
+        self.known.insert(Arc::as_ptr(model).addr(), first);
+        first
+    }
+
+    fn mesh(
+        &mut self,
+        mesh: &Mesh,
+        one_sided: bool,
+        cover: Cover,
+        place: impl Fn(Vec3) -> Vec3,
+        turn: impl Fn(Vec3) -> Vec3,
+    ) {
         let Model { positions, normals, triangles, .. } = &*mesh.model;
-        let side = if mesh.one_sided { ONE_SIDED } else { 0 };
+        let side = if one_sided { ONE_SIDED } else { 0 };
         let mut known = HashMap::new();
         for triangle in triangles {
             let [a, b, c] = triangle.corners.map(|corner| {
                 *known.entry((corner.position, corner.uv, corner.normal)).or_insert_with(|| {
                     let uv = mesh.model.uv(corner);
-                    let position = mesh.place(positions[corner.position as usize]);
-                    let normal = unit(mesh.turn(normals[corner.normal as usize]));
+                    let position = place(positions[corner.position as usize]);
+                    let normal = unit(turn(normals[corner.normal as usize]));
                     self.vertices.push(Vertex { position, u: uv.x, normal, v: uv.y });
                     self.vertices.len() as u32 - 1
                 })
             });
-            let paint = mesh.material.map_or(first_paint + triangle.material, |m| m as u32);
+            let paint = match cover {
+                Cover::Own(first) => first + triangle.material,
+                Cover::With(material) => material as u32,
+            };
             let cut = self.paints.get(paint as usize).is_some_and(|paint| paint.opacity_map.first != NONE);
             self.faces.push(Face { a, b, c, paint: paint | side | if cut { CUT_OUT } else { 0 } });
         }

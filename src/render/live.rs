@@ -11,7 +11,7 @@ mod traced;
 use std::time::Duration;
 
 use super::Error;
-use super::work::within;
+use super::room::within;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, Screen};
 use crate::scene::{Method, Reach, Scene};

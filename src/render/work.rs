@@ -4,6 +4,7 @@ mod layers;
 
 use std::ops::{ControlFlow, Range};
 
+use super::room::{models, within};
 use super::{Error, Good};
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
@@ -48,32 +49,6 @@ impl std::fmt::Display for Digest {
     }
 }
 
-/// About as many bytes as the tables of a scene take while they are made.
-fn bytes(scene: &Scene, method: Method) -> u64 {
-    let count = |count: usize| count as u64;
-    let faces: u64 = scene.meshes.iter().map(|mesh| count(mesh.model.triangles.len())).sum();
-    // A sphere is some thousands of faces where it is drawn.
-    let each = if method == Method::Raster { 9216 } else { 1 };
-    let faces = faces + count(scene.spheres.len()) * each + count(scene.planes.len() + scene.triangles.len());
-    let texels: u64 =
-        scene.meshes.iter().flat_map(|mesh| &mesh.model.textures).map(|t| count(t.texels.len())).sum();
-    let texels = texels + scene.textures.iter().map(|t| count(t.texels.len())).sum::<u64>();
-    faces * FACE + texels * 16
-}
-
-/// Whether a scene's tables fit into what may be taken. Counted before it is taken: a file of a few lines may place a
-/// model a million times.
-pub(super) fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error> {
-    let (needed, most) = (bytes(scene, method), reach.most());
-    if needed > most {
-        return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
-    }
-    Ok(())
-}
-
-/// Bytes of a face with its corners, and with its share of the tree or of the lists that corners are looked up in.
-const FACE: u64 = 256;
-
 impl Work {
     /// Makes a scene ready.
     ///
@@ -89,7 +64,7 @@ impl Work {
     /// As [`Work::new`].
     pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
         within(scene, method, reach)?;
-        let warnings = scene.meshes.iter().flat_map(|mesh| &mesh.model.warnings);
+        let warnings = models(scene).into_iter().flat_map(|model| &model.warnings);
         let mut notes: Vec<_> = warnings.map(ToString::to_string).collect();
         let [width, height] = scene.film.size;
         let kind = match method {

@@ -1,10 +1,12 @@
-//! A model that stands in the scene.
+//! A model that stands in the scene, once or many times.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::{EulerRot, Quat, Vec3};
 
 use super::model::Model;
+use super::{Behavior, Scene};
 
 /// A model and where it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,28 +23,95 @@ pub struct Mesh {
     pub material: Option<usize>,
     /// Whether its faces are seen from their front alone.
     pub one_sided: bool,
+    /// Which of the instances of its table it is, if this has any, and where that stands.
+    pub instance: Option<Instance>,
+}
+
+/// Where a mesh that is placed already stands in its turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instance {
+    /// Its number among those of its mesh.
+    pub number: usize,
+    /// Where the mesh's own world has its origin, in world space.
+    pub translate: Vec3,
+    /// As [`Mesh::rotate`].
+    pub rotate: Vec3,
+    /// Above zero.
+    pub scale: f32,
 }
 
 impl Mesh {
     /// A model as it is.
     #[must_use]
     pub fn of(model: Arc<Model>) -> Self {
-        Self { model, translate: Vec3::ZERO, rotate: Vec3::ZERO, scale: 1.0, material: None, one_sided: false }
+        Self {
+            model,
+            translate: Vec3::ZERO,
+            rotate: Vec3::ZERO,
+            scale: 1.0,
+            material: None,
+            one_sided: false,
+            instance: None,
+        }
     }
 
     /// A direction of the model in world space, of the same length.
     #[must_use]
     pub fn turn(&self, v: Vec3) -> Vec3 {
-        if self.rotate == Vec3::ZERO {
-            return v;
-        }
-        // z y x: x is the first to turn.
-        Quat::from_euler(EulerRot::ZYX, self.rotate.z, self.rotate.y, self.rotate.x) * v
+        let v = turned(v, self.rotate);
+        self.instance.map_or(v, |instance| turned(v, instance.rotate))
     }
 
     /// A point of the model in world space.
     #[must_use]
     pub fn place(&self, p: Vec3) -> Vec3 {
-        self.turn(p * self.scale) + self.translate
+        let p = turned(p * self.scale, self.rotate) + self.translate;
+        self.instance.map_or(p, |i| turned(p * i.scale, i.rotate) + i.translate)
+    }
+
+    /// How much larger it is in the world.
+    #[must_use]
+    pub fn size(&self) -> f32 {
+        self.scale * self.instance.map_or(1.0, |instance| instance.scale)
+    }
+}
+
+fn turned(v: Vec3, by: Vec3) -> Vec3 {
+    if by == Vec3::ZERO {
+        return v;
+    }
+    // z y x: x is the first to turn.
+    Quat::from_euler(EulerRot::ZYX, by.z, by.y, by.x) * v
+}
+
+impl Scene {
+    /// Whether a mesh's faces have no backs for the ray tracer: what goes into glass has to come out of it.
+    #[must_use]
+    pub fn has_no_backs(&self, mesh: &Mesh) -> bool {
+        let glass = |material: usize| self.materials[material].behavior == Behavior::Glass;
+        mesh.one_sided && !mesh.material.is_some_and(glass)
+    }
+
+    /// The meshes that stand alone, and those that share a model and all that rays ask of it: as numbers of
+    /// [`Scene::meshes`], in their order, those that share together.
+    #[must_use]
+    pub fn alone_and_shared(&self) -> (Vec<usize>, Vec<Vec<usize>>) {
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        let mut known = HashMap::new();
+        for (i, mesh) in self.meshes.iter().enumerate() {
+            // What is scaled beyond all measure has no way back to its model in 32 bits.
+            if !(1e-12..1e12).contains(&mesh.size()) {
+                groups.push(vec![i]);
+                continue;
+            }
+            let kind = (Arc::as_ptr(&mesh.model), self.has_no_backs(mesh), mesh.material.is_some());
+            let group = *known.entry(kind).or_insert_with(|| {
+                groups.push(Vec::new());
+                groups.len() - 1
+            });
+            groups[group].push(i);
+        }
+        let (alone, shared): (Vec<_>, Vec<_>) = groups.into_iter().partition(|group| group.len() == 1);
+        (alone.concat(), shared)
     }
 }

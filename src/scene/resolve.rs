@@ -15,7 +15,8 @@ use super::model::{Model, read_model};
 use super::source::{Models, Reach};
 use super::value::At;
 use super::{
-    Camera, Error, FilmSettings, Light, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings, Triangle,
+    Camera, Error, FilmSettings, Instance, Light, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings,
+    Triangle,
 };
 use crate::film::Film;
 
@@ -114,15 +115,28 @@ impl Resolver<'_> {
                 None => Arc::new(self.model(&mesh.path)?),
             };
             read.insert(path.clone(), Arc::clone(&model));
-            let material = mesh.material.as_ref().map(|name| self.named(names, name)).transpose()?;
-            all.push(Mesh {
+            let named = |name: &Option<At<String>>| name.as_ref().map(|name| self.named(names, name)).transpose();
+            let one = Mesh {
                 model,
                 translate: mesh.translate.0,
                 rotate: mesh.rotate.0 * (std::f32::consts::PI / 180.0),
                 scale: mesh.scale.0,
-                material,
+                material: named(&mesh.material)?,
                 one_sided: mesh.one_sided,
-            });
+                instance: None,
+            };
+            for (place, number) in mesh.instance.iter().zip(0..) {
+                let instance = Some(Instance {
+                    number,
+                    translate: place.translate.0,
+                    rotate: place.rotate.0 * (std::f32::consts::PI / 180.0),
+                    scale: place.scale.0,
+                });
+                all.push(Mesh { material: named(&place.material)?.or(one.material), instance, ..one.clone() });
+            }
+            if mesh.instance.is_empty() {
+                all.push(one);
+            }
         }
         Ok(all)
     }

@@ -57,8 +57,8 @@ impl Scene {
 impl Mesh {
     fn stands_as(&self, other: &Self) -> bool {
         // Taken apart by name, so that what is added to a mesh is not forgotten here.
-        let Self { model: _, translate, rotate, scale, material, one_sided } = self;
+        let Self { model: _, translate, rotate, scale, material, one_sided, instance } = self;
         let place = (*translate, *rotate, *scale) == (other.translate, other.rotate, other.scale);
-        place && (*material, *one_sided) == (other.material, other.one_sided)
+        place && (*material, *one_sided, *instance) == (other.material, other.one_sided, other.instance)
     }
 }

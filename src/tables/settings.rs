@@ -28,10 +28,12 @@ pub struct Settings {
     pub zero: u32,
     /// [`NEAREST`](super::NEAREST), [`BILINEAR`](super::BILINEAR) or [`MIPMAP`](super::MIPMAP).
     pub filtering: u32,
+    /// Copies of models whose trees are shared.
+    pub instances: u32,
+    /// Primitives with ids from this on are theirs.
+    pub loose: u32,
     /// Zero: room that WGSL asks for.
-    pub pad_a: u32,
-    /// Zero: room that WGSL asks for.
-    pub pad_b: [u32; 2],
+    pub pad: u32,
 }
 
 /// The reflected light against the eye: the spec's text.

@@ -7,6 +7,7 @@ use twinlight::math::Vec3;
 use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
 use twinlight::tables::{CUT_OUT, NONE, ONE_SIDED, Tables};
 
+use super::instances::crowd;
 use super::raster_frames::painted;
 use super::trace_lace::lace;
 use super::{on_cpu, root, scene_on_cpu, small, tables_of};
@@ -42,7 +43,20 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
         return NONE;
     }
     let count = |n: usize| n as u32;
-    let meshes: u32 = scene.meshes.iter().map(|mesh| count(mesh.model.triangles.len())).sum();
+    let of = |mesh: &usize| count(scene.meshes[*mesh].model.triangles.len());
+    let meshes: u32 = (0..scene.meshes.len()).map(|mesh| of(&mesh)).sum();
+    // Traced, those that share a model come last.
+    let traced_mesh = |mut rest: u32| {
+        let (alone, shared) = scene.alone_and_shared();
+        let order: Vec<usize> = alone.into_iter().chain(shared.concat()).collect();
+        for mesh in 0..scene.meshes.len() {
+            if rest < of(&mesh) {
+                return order.iter().take_while(|other| **other != mesh).map(of).sum::<u32>() + rest;
+            }
+            rest -= of(&mesh);
+        }
+        rest
+    };
     let [spheres, planes, triangles] = [scene.spheres.len(), scene.planes.len(), scene.triangles.len()].map(count);
     // Of a sphere 96 x 48 squares are drawn, of a plane one.
     let of_sphere = 2 * 96 * 48;
@@ -51,7 +65,7 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
     for (kind, count) in before.into_iter().enumerate() {
         if rest < count {
             return match kind {
-                0 => spheres + planes + triangles + rest,
+                0 => spheres + planes + triangles + traced_mesh(rest),
                 1 => rest / of_sphere,
                 2 => spheres + planes + rest,
                 _ => spheres + rest / 2,
@@ -201,6 +215,29 @@ fn holes_and_backs_look_the_same_by_both_methods() {
     }
     assert!(alike > 40_000, "{alike} pixels are no test");
     assert!(through >= 12, "only {through} of 20 planted faults are seen");
+}
+
+/// Models that are in the tree once and stand in many places.
+#[test]
+fn instances_look_the_same_by_both_methods() {
+    let mut alike = 0;
+    for number in 0..6 {
+        let mut scene = disorder(number);
+        scene.meshes = crowd(number, 9);
+        let tables = centered(&scene);
+        assert!(tables.instances.len() >= 8, "scene {number}");
+        let found = found(&scene, &tables);
+        assert!(found.agrees(), "scene {number}: {found:?}");
+        alike += found.alike;
+        let mut faults = [tables.clone(), tables.clone(), tables.clone()];
+        faults[0].instances.iter_mut().for_each(|of| of.origin.x += 0.3);
+        faults[1].instances.iter_mut().for_each(|of| of.id += 1);
+        faults[2].instances.iter_mut().for_each(|of| std::mem::swap(&mut of.x, &mut of.z));
+        for (i, tables) in faults.iter().enumerate() {
+            assert!(!self::found(&scene, tables).agrees(), "scene {number}: nobody sees fault {i}");
+        }
+    }
+    assert!(alike > 30_000, "{alike} pixels are no test");
 }
 
 /// A smooth sphere, of which the rasterizer draws 96 x 48 squares.

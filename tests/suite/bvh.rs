@@ -1,8 +1,8 @@
 //! The tree against every primitive: each ray must find the same leaf at the same distance, to the bit.
 
 use rayon::prelude::*;
-use twinlight::cpu::trace::aim::{Ray, aim_of};
-use twinlight::cpu::trace::solid::is_solid;
+use twinlight::cpu::trace::aim::Ray;
+use twinlight::cpu::trace::seat::Seat;
 use twinlight::cpu::trace::walk::{Walk, meet, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::gpu::wgsl::Sources;
@@ -105,14 +105,13 @@ pub(super) fn ray(dice: &mut Dice, tables: &Tables) -> Ray {
 
 /// Every leaf in turn: what a walk must find.
 pub(super) fn brute(tables: &Tables, ray: Ray, reach: f32, any: bool) -> Walk {
-    let aim = aim_of(ray, tables.settings.low, tables.settings.high);
-    let per_length_squared = 1.0 / ray.direction.dot(ray.direction);
+    let seat = Seat::in_world(tables, ray);
     let mut best = Walk::new(reach);
     let mut id = 0;
     for (leaf, i) in tables.leaves.iter().zip(0..) {
-        let t = meet(ray, &aim, per_length_squared, leaf, i);
+        let t = meet(ray, &seat.aim, seat.per_length_squared, leaf, i);
         let nearer = t < best.t || (t == best.t && leaf.id < id);
-        if nearer && (leaf.kind <= PLANE || is_solid(tables, ray, &aim, leaf, any)) {
+        if nearer && seat.is_solid(tables, leaf, any) {
             (best.t, best.hit, id) = (t, i, leaf.id);
         }
     }

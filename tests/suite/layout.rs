@@ -3,8 +3,8 @@
 use naga::{Literal, Module, TypeInner};
 use twinlight::gpu::wgsl::{FILES, Sources, join};
 use twinlight::tables::{
-    self, Canvas, Corner, Face, Few, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path, Piece, Plane,
-    Print, Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
+    self, Canvas, Corner, Face, Few, Instance, Lamp, Leaf, Lens, Light, Map, Material, Node, Paint, Part, Path,
+    Piece, Plane, Print, Settings, Slice, Sphere, Status, Tally, Vertex, View, Waiting,
 };
 
 /// All tables in one module.
@@ -88,13 +88,18 @@ fn structs_are_the_same() {
                 high,
                 zero,
                 filtering,
-                pad_a,
-                pad_b
+                instances,
+                loose,
+                pad
             }
         ),
         mirror!(module, Slice { first, count, samples, budget }),
         mirror!(module, Sphere { center, radius, material, pad_a, pad_b }),
         mirror!(module, Status { groups, pixels, flags, turns }),
+        mirror!(
+            module,
+            Instance { x, root, y, leaves, z, id, origin, face, low, material, high, shrink, margin, count, pad }
+        ),
         mirror!(module, Leaf { a, id, b, material, c, kind }),
         mirror!(
             module,
@@ -186,6 +191,7 @@ fn constants_are_the_same() {
         TRIANGLE,
         SPHERE,
         PLANE,
+        INSTANCE,
         POINT,
         DIRECTIONAL,
         MIRROR,

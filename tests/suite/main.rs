@@ -21,6 +21,7 @@ mod frames;
 mod fuzz;
 mod golden;
 mod hostile;
+mod instances;
 mod layout;
 mod loops;
 mod maps;

@@ -20,7 +20,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("trace/boxes", "enter <= leave", "enter * 1.01 <= leave", "bust"),
     ("trace/boxes", "back.y);\n    let near_z", "!back.y);\n    let near_z", "bust"),
     ("trace/walk", "firstTrailingBit(met)", "firstLeadingBit(met)", "bust"),
-    ("trace/walk", "(bit - 24u) ^ aim.octant", "bit - 24u", "bust"),
+    ("trace/walk", "(bit - 24u) ^ seat.aim.octant", "bit - 24u", "bust"),
     ("trace/walk", "t < walk.t ||", "t <= walk.t * 1.001 ||", "bust"),
     ("trace/aim", "d.x / d.z", "d.x * d.z", "bust"),
     ("trace/surface", "normal = -normal", "normal = normal", "pyramid"),

@@ -43,7 +43,7 @@ fn twin(stage: Stage, tables: &Tables, input: &Paths, slice: &Slice) -> (Paths, 
 }
 
 /// Follows a scene on the CPU; at every stage the kernel gets the twin's input and must give the twin's output.
-fn walk_along(tables: &Tables, budget: u32, rounds: u32, what: &str) {
+pub(super) fn walk_along(tables: &Tables, budget: u32, rounds: u32, what: &str) {
     let count = 143;
     let slice = Slice { first: 40, count, samples: tables.samples, budget };
     let mut paths = Paths::new(40..40 + count, tables);

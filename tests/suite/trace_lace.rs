@@ -175,10 +175,10 @@ fn planted_faults_in_traced_holes_are_seen() {
         ("trace/solid", "any || front", "front"),
         ("trace/solid", "(aim.shear.z > 0.0)", "(aim.shear.z < 0.0)"),
         ("trace/solid", "e / area", "e.yzx / area"),
-        ("trace/solid", "leaf.id - settings.spheres", "leaf.id - settings.planes"),
+        ("trace/seat", "0u - settings.spheres - settings.planes", "0u - settings.planes"),
         ("trace/solid", "solid && (leaf.kind & CUT_OUT) != 0u", "false"),
         ("trace/walk", "nearer && leaf.kind > PLANE", "false"),
-        ("trace/walk", "is_solid(ray, aim, leaf, any)", "is_solid(ray, aim, leaf, true)"),
+        ("trace/walk", "seat.materials, any)", "seat.materials, true)"),
         ("shade/texture", "mixed(low, high, up) >= 0.5", "mixed(low, high, up) >= 0.45"),
     ];
     let tables: Vec<_> = (0..6).map(|number| tables_of(&laced(number))).collect();

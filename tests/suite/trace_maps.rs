@@ -61,7 +61,7 @@ fn planted_faults_in_details_are_seen() {
         ("trace/detail", "-away.z", "away.z"),
         ("trace/detail", "vec3f(normal.z, 0.0, -normal.x)", "vec3f(-normal.z, 0.0, normal.x)"),
         ("trace/detail", "max(weights_at(p, normal, leaf.a, leaf.b", "max(weights_at(p, normal, leaf.b, leaf.a"),
-        ("trace/detail", "leaf.id - settings.spheres", "leaf.id - settings.planes"),
+        ("trace/instanced", "found.leaf.id - settings.spheres", "found.leaf.id - settings.planes"),
         ("trace/surface", "shading = -shading", "shading = shading"),
         ("trace/surface", "unit(material.color), size", "material.color, size"),
         ("trace/tree", "&& dot(l, surface.shading) > 0.0", ""),

@@ -19,8 +19,11 @@ struct Settings {
     zero: u32,
     // NEAREST, BILINEAR or MIPMAP.
     filtering: u32,
-    pad_a: u32,
-    pad_b: vec2u,
+    // Copies of models whose trees are shared.
+    instances: u32,
+    // Primitives with ids from this on are theirs.
+    loose: u32,
+    pad: u32,
 }
 
 const PHONG: u32 = 0u;

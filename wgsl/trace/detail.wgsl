@@ -63,7 +63,8 @@ struct Detail {
 }
 
 // `normal`: the primitive's own, on its outer side.
-fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
+fn detail_at(ray: Ray, primitive: Primitive, point: vec3f, normal: vec3f) -> Detail {
+    let leaf = primitive.leaf;
     let paint = paint_at(leaf.material);
     let p = fence(point, settings.zero);
     var sides = Beside(p, p);
@@ -93,10 +94,10 @@ fn detail_at(ray: Ray, leaf: Leaf, point: vec3f, normal: vec3f) -> Detail {
         right = vec2f(dot(sides.right - leaf.a, along_u), dot(sides.right - leaf.a, along_v));
         down = vec2f(dot(sides.down - leaf.a, along_u), dot(sides.down - leaf.a, along_v));
     } else {
-        let face = face_at(leaf.id - settings.spheres - settings.planes);
-        a = vertex_at(face.a);
-        b = vertex_at(face.b);
-        c = vertex_at(face.c);
+        let face = face_at(primitive.face);
+        a = corner_of(face.a, primitive.holder);
+        b = corner_of(face.b, primitive.holder);
+        c = corner_of(face.c, primitive.holder);
         // Rounding may put the point a trifle outside.
         let inside = max(weights_at(p, normal, leaf.a, leaf.b, leaf.c), vec3f(0.0));
         let w = inside / ((inside.x + inside.y) + inside.z);

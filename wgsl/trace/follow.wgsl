@@ -53,6 +53,9 @@ fn follow(path: ptr<function, Path>, i: u32) {
         for (var k = 0u; k + settings.planes + 1u < start.next; k += 1u) {
             stack[k] = walks[put_down + k];
         }
+        #repeat copies
+        stack[DEEP - 1u] = walks[put_down + DEEP - 1u];
+        #end
         let found = walk(ray, start, slice.budget, !own);
         turns = found.turns;
         flags |= found.flags;
@@ -64,6 +67,9 @@ fn follow(path: ptr<function, Path>, i: u32) {
             for (var k = 0u; k + settings.planes + 1u < found.next; k += 1u) {
                 walks[put_down + k] = stack[k];
             }
+            #repeat copies
+            walks[put_down + DEEP - 1u] = stack[DEEP - 1u];
+            #end
             (*path).next = found.next;
             spent = true;
             continue;
@@ -71,7 +77,7 @@ fn follow(path: ptr<function, Path>, i: u32) {
         (*path).next = 0u;
         if (own) {
             if ((*path).rays == 0u && found.hit != NONE) {
-                (*path).seen = leaf_at(found.hit).id;
+                (*path).seen = primitive_at(found.hit).leaf.id;
             }
             if (found.hit == NONE) {
                 (*path).radiance += (*path).weight * settings.background;

@@ -23,7 +23,7 @@ fn main(
             let ray = Ray((*path).origin, (*path).direction, (*path).leaves);
             let found = walk(ray, Walk((*path).t, (*path).hit, 0u, 0u, 0u), MOST_STEPS, false);
             if (found.hit != NONE) {
-                (*path).seen = leaf_at(found.hit).id;
+                (*path).seen = primitive_at(found.hit).leaf.id;
             }
             (*path).radiance = heat_of(found.turns);
             (*path).state = DONE;

@@ -27,7 +27,8 @@ fn start_of(surface: Surface, way: vec3f) -> vec3f {
 // The point is put back onto the primitive, so that its error does not grow with the ray's length.
 fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
     let along = ray.origin + ray.direction * t;
-    let leaf = leaf_at(hit);
+    let primitive = primitive_at(hit);
+    let leaf = primitive.leaf;
     var point = along;
     var normal = vec3f(0.0);
     var margin = 0.0;
@@ -42,9 +43,9 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
         point = along - normal * dot(normal, along - leaf.a);
         // 16 units in the last place of the largest coordinate.
         let size = max(abs(leaf.a), max(abs(leaf.b), abs(leaf.c)));
-        margin = max(size.x, max(size.y, size.z)) * 9.536743e-7;
+        margin = max(max(size.x, max(size.y, size.z)) * 9.536743e-7, primitive.margin);
     }
-    let detail = detail_at(ray, leaf, point, normal);
+    let detail = detail_at(ray, primitive, point, normal);
     var shading = detail.normal;
     if (dot(normal, ray.direction) > 0.0) {
         normal = -normal;

@@ -6,8 +6,10 @@
 #import "tables/status.wgsl"
 #import "tables/texel.wgsl"
 #import "trace/meet.wgsl"
+#import "trace/seat.wgsl"
 #import "trace/solid.wgsl"
 #import "trace/boxes.wgsl"
+#import "trace/instanced.wgsl"
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 // Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
@@ -33,9 +35,12 @@ fn leaf_at(i: u32) -> Leaf {
 
 // Nodes on the longest way from the root down.
 const DEEP: u32 = $deep;
+// Places for what is to be asked: where there are instances, the last says in which of them the walk is.
+const ROOM: u32 = DEEP - u32($copies);
 
 // The children of nodes that are still to be asked: where all of a node's begin; a bit for each from bit 24 up, the
-// next one the highest; and below bit 8, which of the places hold nodes.
+// next one the highest; and below bit 8, which of the places hold nodes. Or instances that are still to be asked: where
+// a node's leaves begin, with INSTANCES, and a bit for each.
 var<private> stack: array<vec2u, DEEP>;
 
 // Where a walk is, and what it has found.
@@ -53,6 +58,26 @@ struct Walk {
 }
 
 const NODES: u32 = 0xff000000u;
+const INSTANCES: u32 = 0x80000000u;
+
+// Whether there is anything left to ask.
+fn is_open(group: vec2u) -> bool {
+    var open = group.y >= 1u << 24u;
+    #repeat copies
+    open = open || (group.x >= INSTANCES && group.y != 0u);
+    #end
+    return open;
+}
+
+// Keeps what is left of a group for later; how much is on the stack then.
+fn put(group: vec2u, size: u32, walk: ptr<function, Walk>) -> u32 {
+    if (is_open(group) && size < ROOM) {
+        stack[size] = group;
+        return size + 1u;
+    }
+    (*walk).flags |= select(0u, STACK_FULL, is_open(group));
+    return size;
+}
 
 fn over(walk: Walk, any: bool) -> bool {
     return walk.next == settings.planes + 1u || (any && walk.hit != NONE);
@@ -90,68 +115,104 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
         return walk;
     }
 
-    let aim = aim_of(ray, settings.low, settings.high);
-    let per_length_squared = 1.0 / dot(ray.direction, ray.direction);
+    var seat = in_world(ray);
+    // The instance that the walk is in, or NONE, and how much of the stack is the world's then.
+    var within = NONE;
+    var base = 0u;
     // The number of the hit; nothing wins a tie against the reach of a ray.
     var id = 0u;
     if (walk.hit != NONE) {
-        id = leaf_at(walk.hit).id;
+        id = primitive_at(walk.hit).leaf.id;
     }
     // What of the stack is in hand; the root is the only child of nothing.
     var group = vec2u(0u, select(0u, 0x80000000u, walk.next == settings.planes));
     var size = max(walk.next, settings.planes + 1u) - settings.planes - 1u;
-    while (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || group.y >= 1u << 24u)) {
-        if (group.y < 1u << 24u) {
+    #repeat copies
+    if (size > 0u) {
+        within = stack[ROOM].x;
+        base = stack[ROOM].y;
+    }
+    var entered = within;
+    #end
+    while (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || is_open(group))) {
+        #repeat copies
+        if (within != NONE && size == base && !is_open(group)) {
+            // Back to the world.
+            within = NONE;
+            entered = NONE;
+            seat = in_world(ray);
+        }
+        #end
+        if (!is_open(group)) {
             size -= 1u;
             group = stack[size];
         }
+        #repeat copies
+        if (group.x >= INSTANCES) {
+            // The next of some instances: its root, the only child of nothing.
+            within = leaf_at((group.x ^ INSTANCES) + firstTrailingBit(group.y)).material;
+            group.y &= group.y - 1u;
+            size = put(group, size, &walk);
+            base = size;
+            entered = within;
+            group = vec2u(instance_at(within).root, 0x80000000u);
+        }
+        if (entered != NONE) {
+            seat = in_instance(ray, entered);
+            entered = NONE;
+        }
+        #end
         let bit = firstLeadingBit(group.y);
         group.y ^= 1u << bit;
-        if (group.y >= 1u << 24u) {
-            if (size < DEEP) {
-                stack[size] = group;
-                size += 1u;
-            } else {
-                walk.flags |= STACK_FULL;
-            }
-        }
-        let before = (1u << ((bit - 24u) ^ aim.octant)) - 1u;
+        size = put(group, size, &walk);
+        let before = (1u << ((bit - 24u) ^ seat.aim.octant)) - 1u;
         let node = node_at(group.x + countOneBits(group.y & before));
-        var met = boxes_met(node, ray, aim, walk.t);
+        var met = boxes_met(node, seat.ray, seat.aim, walk.t);
         group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
         met &= ~NODES;
         walk.turns += 1u;
+        // Those of the primitives that are instances.
+        var later = 0u;
         while (met != 0u && !(any && walk.hit != NONE)) {
-            let i = node.leaves + firstTrailingBit(met);
+            let place = firstTrailingBit(met);
+            let i = node.leaves + place;
             met &= met - 1u;
             let leaf = leaf_at(i);
-            let t = meet(ray, aim, per_length_squared, leaf, i);
-            var nearer = t < walk.t || (t == walk.t && leaf.id < id);
+            walk.turns += 1u;
+            #repeat copies
+            if (leaf.kind == INSTANCE) {
+                later |= 1u << place;
+                continue;
+            }
+            #end
+            let t = meet(seat.ray, seat.aim, seat.per_length_squared, leaf, i + seat.numbers);
+            var nearer = t < walk.t || (t == walk.t && leaf.id + seat.ids < id);
             #repeat pierced
             if (nearer && leaf.kind > PLANE) {
-                nearer = is_solid(ray, aim, leaf, any);
+                nearer = is_solid(seat.ray, seat.aim, leaf, leaf.id + seat.faces, leaf.material + seat.materials, any);
             }
             #end
             walk.t = select(walk.t, t, nearer);
-            walk.hit = select(walk.hit, i, nearer);
-            id = select(id, leaf.id, nearer);
-            walk.turns += 1u;
+            walk.hit = select(walk.hit, i + seat.numbers, nearer);
+            id = select(id, leaf.id + seat.ids, nearer);
         }
         if (met != 0u && !(any && walk.hit != NONE)) {
             walk.flags |= CUT_SHORT;
         }
+        #repeat copies
+        if (later != 0u) {
+            size = put(group, size, &walk);
+            group = vec2u(node.leaves | INSTANCES, later);
+        }
+        #end
     }
-    if (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || group.y >= 1u << 24u)) {
+    if (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || is_open(group))) {
         walk.flags |= CUT_SHORT;
     }
-    if (group.y >= 1u << 24u) {
-        if (size < DEEP) {
-            stack[size] = group;
-            size += 1u;
-        } else {
-            walk.flags |= STACK_FULL;
-        }
-    }
+    size = put(group, size, &walk);
+    #repeat copies
+    stack[ROOM] = vec2u(within, base);
+    #end
     walk.next = settings.planes + 1u + size;
     return walk;
 }

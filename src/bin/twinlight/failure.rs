@@ -58,7 +58,7 @@ impl Failure {
             | Self::Explain(_)
             | Self::Film(film::Error::Ending(_))
             | Self::Render(render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Untold(_)) => 2,
-            Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
+            Self::Scene(_) | Self::Merge(_) | Self::Part(..) | Self::Render(render::Error::Numbers(_)) => 3,
             Self::Film(_) | Self::Stdout(_) => 4,
             #[cfg(feature = "viewer")]
             Self::Window(_) => 5,
@@ -80,6 +80,7 @@ impl Failure {
                         | render::Error::Untold(_)
                         | render::Error::Memory { .. }
                         | render::Error::Film { .. }
+                        | render::Error::Numbers(_)
                 )
         )
     }

@@ -8,10 +8,11 @@ use glam::Vec3;
 
 use super::LANES;
 use super::wide::{Block, Wide, Wides};
-use crate::cpu::trace::aim::{Aim, Ray, aim_of};
-use crate::cpu::trace::solid::is_solid;
+use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::instanced::primitive_at;
+use crate::cpu::trace::seat::Seat;
 use crate::cpu::trace::walk::{Walk, meet, planes};
-use crate::tables::{NONE, PLANE, Tables};
+use crate::tables::{NONE, Tables};
 
 /// Walks of one scene, one after the other.
 #[derive(Debug)]
@@ -35,82 +36,114 @@ impl<'a> Walker<'a> {
     pub fn walk(&mut self, ray: Ray, mut start: Walk, any: bool) -> Walk {
         planes(self.tables, ray, &mut start, u32::MAX, any);
         if !(any && start.hit != NONE) {
-            let aim = aim_of(ray, self.tables.settings.low, self.tables.settings.high);
-            dispatch!(self.level, simd => self.below(simd, ray, &aim, &mut start, any));
+            let mut found = Found { walk: start, id: 0, any };
+            if start.hit != NONE {
+                found.id = primitive_at(self.tables, start.hit).leaf.id;
+            }
+            let (tables, wides, stack) = (self.tables, self.wides, &mut self.stack[..]);
+            let seat = Seat::in_world(tables, ray);
+            if tables.instances.is_empty() {
+                dispatch!(self.level, simd => below::<_, false>(simd, tables, wides, &seat, 0, stack, &mut found));
+            } else {
+                dispatch!(self.level, simd => below::<_, true>(simd, tables, wides, &seat, 0, stack, &mut found));
+            }
+            start = found.walk;
         }
         start.turns += 1;
         start.next = self.tables.settings.planes + 1;
         start
     }
+}
 
-    #[inline(always)]
-    fn below<S: Simd>(&mut self, simd: S, ray: Ray, aim: &Aim, walk: &mut Walk, any: bool) {
-        let wides = self.wides;
-        let eyes = Eyes::new(simd, ray, aim);
-        let mut id = self.tables.leaves.get(walk.hit as usize).map_or(0, |leaf| leaf.id);
-        let stack = &mut self.stack[..];
-        let mut size = 0;
-        let mut at = 0;
-        loop {
-            let node = &wides.nodes[at as usize];
-            let (enter, mut met) = eyes.boxes(node, walk.t);
-            if met & !node.inner != 0 {
-                for (held, block) in node.held.into_iter().zip(node.first..) {
-                    if met & held != 0 {
-                        eyes.leaves(self.tables, &wides.blocks[block as usize], walk, &mut id, any);
-                    }
-                }
-                if any && walk.hit != NONE {
-                    return;
-                }
-            }
-            met &= node.inner;
-            if met != 0 {
-                let enter = enter.to_array();
-                let bottom = size;
-                let mut nearest = u64::MAX;
-                while met != 0 {
-                    let child = met.trailing_zeros() as usize % LANES;
-                    met &= met - 1;
-                    let own = u64::from(enter[child].to_bits()) << 32 | u64::from(node.children[child]);
-                    let farther = nearest.max(own);
-                    nearest = nearest.min(own);
-                    if farther == u64::MAX {
-                        continue;
-                    }
-                    let mut i = size;
-                    while i > bottom && stack[i - 1] < farther {
-                        stack[i] = stack[i - 1];
-                        i -= 1;
-                    }
-                    stack[i] = farther;
-                    size += 1;
-                }
-                at = nearest as u32;
-                if f32::from_bits((nearest >> 32) as u32) <= walk.t {
+/// What was found so far.
+struct Found {
+    walk: Walk,
+    /// The number of the hit; nothing wins a tie against the reach of a ray.
+    id: u32,
+    any: bool,
+}
+
+/// Asks all that lies below a node; instances only where there are any, and in no instance.
+#[inline(always)]
+fn below<S: Simd, const INSTANCES: bool>(
+    simd: S,
+    tables: &Tables,
+    wides: &Wides,
+    seat: &Seat,
+    root: u32,
+    stack: &mut [u64],
+    found: &mut Found,
+) {
+    let eyes = Eyes::new(simd, seat);
+    let mut size = 0;
+    let mut at = root;
+    loop {
+        let node = &wides.nodes[at as usize];
+        let (enter, mut met) = eyes.boxes(node, found.walk.t);
+        if met & !node.inner != 0 {
+            for (held, block) in node.held.into_iter().zip(node.first..) {
+                if met & held == 0 {
                     continue;
                 }
+                let block = &wides.blocks[block as usize];
+                eyes.leaves(tables, block, found);
+                let mut instances = if INSTANCES { block.instances } else { 0 };
+                while instances != 0 && !(found.any && found.walk.hit != NONE) {
+                    let leaf = &tables.leaves[(block.first + instances.trailing_zeros()) as usize];
+                    instances &= instances - 1;
+                    let of = &tables.instances[leaf.material as usize];
+                    let seat = Seat::in_instance(tables, seat.ray, of);
+                    below::<S, false>(simd, tables, wides, &seat, of.root, &mut stack[size..], found);
+                }
             }
-            at = loop {
-                if size == 0 {
-                    return;
-                }
-                size -= 1;
-                let top = stack[size];
-                if f32::from_bits((top >> 32) as u32) <= walk.t {
-                    break top as u32;
-                }
-            };
+            if found.any && found.walk.hit != NONE {
+                return;
+            }
         }
+        met &= node.inner;
+        if met != 0 {
+            let enter = enter.to_array();
+            let bottom = size;
+            let mut nearest = u64::MAX;
+            while met != 0 {
+                let child = met.trailing_zeros() as usize % LANES;
+                met &= met - 1;
+                let own = u64::from(enter[child].to_bits()) << 32 | u64::from(node.children[child]);
+                let farther = nearest.max(own);
+                nearest = nearest.min(own);
+                if farther == u64::MAX {
+                    continue;
+                }
+                let mut i = size;
+                while i > bottom && stack[i - 1] < farther {
+                    stack[i] = stack[i - 1];
+                    i -= 1;
+                }
+                stack[i] = farther;
+                size += 1;
+            }
+            at = nearest as u32;
+            if f32::from_bits((nearest >> 32) as u32) <= found.walk.t {
+                continue;
+            }
+        }
+        at = loop {
+            if size == 0 {
+                return;
+            }
+            size -= 1;
+            let top = stack[size];
+            if f32::from_bits((top >> 32) as u32) <= found.walk.t {
+                break top as u32;
+            }
+        };
     }
 }
 
 /// One ray in all lanes.
 struct Eyes<S: Simd> {
     simd: S,
-    ray: Ray,
-    aim: Aim,
-    per_length_squared: f32,
+    seat: Seat,
     origin: [f32x8<S>; 3],
     inverse: [f32x8<S>; 3],
     /// What a near side and a far side lose: where the origin lies, with the slack.
@@ -127,7 +160,8 @@ fn splat<S: Simd>(simd: S, v: Vec3) -> [f32x8<S>; 3] {
 
 impl<S: Simd> Eyes<S> {
     #[inline(always)]
-    fn new(simd: S, ray: Ray, aim: &Aim) -> Self {
+    fn new(simd: S, seat: &Seat) -> Self {
+        let Seat { ray, aim, .. } = seat;
         // Sides and origin are multiplied before they are subtracted: what that takes off is in proportion to how far
         // all lies from zero, not from the ray.
         let from = ray.origin * aim.inverse;
@@ -135,9 +169,7 @@ impl<S: Simd> Eyes<S> {
         let near = |axis: usize| 2 * axis + usize::from(aim.inverse[axis] < 0.0);
         Self {
             simd,
-            ray,
-            aim: *aim,
-            per_length_squared: 1.0 / ray.direction.dot(ray.direction),
+            seat: *seat,
             origin: splat(simd, ray.origin),
             inverse: splat(simd, aim.inverse),
             near_from: splat(simd, from + slack),
@@ -159,7 +191,8 @@ impl<S: Simd> Eyes<S> {
 
     /// Asks a block's primitives, whichever child they belong to: what a ray meets, its box does.
     #[inline(always)]
-    fn leaves(&self, tables: &Tables, block: &Block, walk: &mut Walk, id: &mut u32, any: bool) {
+    fn leaves(&self, tables: &Tables, block: &Block, found: &mut Found) {
+        let Found { walk, id, any } = found;
         let (distances, met) = self.triangles(block, walk.t);
         let mut left = met | block.spheres;
         if left == 0 {
@@ -171,15 +204,19 @@ impl<S: Simd> Eyes<S> {
             left &= left - 1;
             let i = block.first + lane as u32;
             let leaf = &tables.leaves[i as usize];
+            let number = i.wrapping_add(self.seat.numbers);
             let sphere = block.spheres & 1 << lane != 0;
-            let t =
-                if sphere { meet(self.ray, &self.aim, self.per_length_squared, leaf, i) } else { distances[lane] };
-            let own = !sphere && i == self.ray.leaves;
-            let nearer = !own && (t < walk.t || (t == walk.t && leaf.id < *id));
-            if nearer && (leaf.kind <= PLANE || is_solid(tables, self.ray, &self.aim, leaf, any)) {
+            let t = if sphere {
+                meet(self.seat.ray, &self.seat.aim, self.seat.per_length_squared, leaf, number)
+            } else {
+                distances[lane]
+            };
+            let own = !sphere && number == self.seat.ray.leaves;
+            let nearer = !own && (t < walk.t || (t == walk.t && leaf.id + self.seat.ids < *id));
+            if nearer && self.seat.is_solid(tables, leaf, *any) {
                 walk.t = t;
-                walk.hit = i;
-                *id = leaf.id;
+                walk.hit = number;
+                *id = leaf.id + self.seat.ids;
             }
         }
     }
@@ -207,18 +244,22 @@ impl<S: Simd> Eyes<S> {
     fn own_sides(&self, axis: usize, a: f32x8<S>, b: f32x8<S>, c: f32x8<S>) -> (f32x8<S>, f32x8<S>) {
         let low = a.min(b.min(c)) * self.inverse[axis];
         let high = a.max(b.max(c)) * self.inverse[axis];
-        (low.min(high) - self.aim.own[axis], low.max(high) + self.aim.own[axis])
+        (low.min(high) - self.seat.aim.own[axis], low.max(high) + self.seat.aim.own[axis])
     }
 
     /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and a bit for each triangle
     /// that is met up to `most`.
     #[inline(always)]
     fn triangles(&self, block: &Block, most: f32) -> (f32x8<S>, u32) {
-        let axes = [(self.aim.axis as usize + 1) % 3, (self.aim.axis as usize + 2) % 3, self.aim.axis as usize % 3];
+        let axes = [
+            (self.seat.aim.axis as usize + 1) % 3,
+            (self.seat.aim.axis as usize + 2) % 3,
+            self.seat.aim.axis as usize % 3,
+        ];
         let a = self.from(&block.corners[0], axes);
         let b = self.from(&block.corners[1], axes);
         let c = self.from(&block.corners[2], axes);
-        let [sx, sy, sz] = self.aim.shear.to_array();
+        let [sx, sy, sz] = self.seat.aim.shear.to_array();
         let ax = a[0] - a[2] * sx;
         let ay = a[1] - a[2] * sy;
         let bx = b[0] - b[2] * sx;

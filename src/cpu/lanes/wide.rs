@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::LANES;
-use crate::tables::{Leaf, Node, SPHERE, Tables};
+use crate::tables::{INSTANCE, Leaf, Node, SPHERE, Tables};
 
 /// The tree as the lanes walk it: boxes as they are, where a node's bytes are a little larger.
 ///
@@ -36,9 +36,10 @@ pub(super) struct Block {
     pub(super) corners: [[[f32; LANES]; 3]; 3],
     /// The first of the leaves.
     pub(super) first: u32,
-    /// A bit for each triangle, and for each sphere.
+    /// A bit for each triangle, for each sphere, and for each instance.
     pub(super) triangles: u32,
     pub(super) spheres: u32,
+    pub(super) instances: u32,
 }
 
 impl Wides {
@@ -108,16 +109,19 @@ fn reach(leaf: &Leaf) -> (Vec3, Vec3) {
         let r = leaf.b.x;
         return (leaf.a.map(|x| (x - r).next_down()), leaf.a.map(|x| (x + r).next_up()));
     }
+    if leaf.kind == INSTANCE {
+        return (leaf.a, leaf.b);
+    }
     (leaf.a.min(leaf.b).min(leaf.c), leaf.a.max(leaf.b).max(leaf.c))
 }
 
 fn block(leaves: &[Leaf], first: u32) -> Block {
-    let mut block = Block { corners: [[[0.0; LANES]; 3]; 3], first, triangles: 0, spheres: 0 };
+    let mut block = Block { corners: [[[0.0; LANES]; 3]; 3], first, triangles: 0, spheres: 0, instances: 0 };
     for (i, leaf) in leaves.iter().enumerate() {
-        if leaf.kind == SPHERE {
-            block.spheres |= 1 << i;
-        } else {
-            block.triangles |= 1 << i;
+        match leaf.kind {
+            SPHERE => block.spheres |= 1 << i,
+            INSTANCE => block.instances |= 1 << i,
+            _ => block.triangles |= 1 << i,
         }
         for (corner, place) in [leaf.a, leaf.b, leaf.c].into_iter().zip(&mut block.corners) {
             for (axis, place) in corner.to_array().into_iter().zip(place) {

@@ -4,11 +4,12 @@ use glam::{Vec2, Vec3};
 
 use crate::cpu::shade::look::{Look, bumped, look_of, sum_by, uv_by};
 use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::instanced::{Primitive, corner_of};
 use crate::cpu::witness::Witness;
 use crate::math::angle::turns;
 use crate::math::fence::fence;
 use crate::math::vector::unit;
-use crate::tables::{Leaf, MIPMAP, NONE, PLANE, SPHERE, Tables, Vertex, View};
+use crate::tables::{MIPMAP, NONE, PLANE, SPHERE, Tables, View};
 
 /// What of a surface is not its primitive's and not its material's alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,11 +70,12 @@ fn uv_near(from: Vec3, uv: Vec2) -> Vec2 {
 pub fn detail_at(
     tables: &Tables,
     ray: Ray,
-    leaf: &Leaf,
+    primitive: &Primitive<'_>,
     point: Vec3,
     normal: Vec3,
     witness: &mut impl Witness,
 ) -> Detail {
+    let leaf = &primitive.leaf;
     let settings = &tables.settings;
     let paint = &tables.paints[leaf.material as usize];
     let p = fence(point);
@@ -83,8 +85,9 @@ pub fn detail_at(
     }
     let look_at = |uvs, witness: &mut _| look_of(&tables.texels, settings.filtering, paint, uvs, witness);
     if leaf.kind != SPHERE && leaf.kind != PLANE {
-        let face = tables.faces[(leaf.id - settings.spheres - settings.planes) as usize];
-        let corners: [&Vertex; 3] = [face.a, face.b, face.c].map(|i| &tables.vertices[i as usize]);
+        let face = tables.faces[primitive.face as usize];
+        let corners = [face.a, face.b, face.c].map(|i| corner_of(tables, i, primitive.holder));
+        let corners = corners.each_ref();
         let weights = |p| weights_at(p, normal, leaf.a, leaf.b, leaf.c);
         // Rounding may put the point a trifle outside.
         let inside = weights(p).max(Vec3::ZERO);

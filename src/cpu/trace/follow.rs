@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::surface::surface_at;
 use crate::cpu::trace::tree::{Lit, go_on, lit, turn_back};
 use crate::cpu::trace::walk::Walk;
@@ -72,7 +73,7 @@ pub fn follow(
         path.next = 0;
         if own {
             if path.rays == 0 && found.hit != NONE {
-                path.seen = tables.leaves[found.hit as usize].id;
+                path.seen = primitive_at(tables, found.hit).leaf.id;
             }
             if found.hit == NONE {
                 let light = path.weight * settings.background;

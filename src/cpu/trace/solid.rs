@@ -1,4 +1,4 @@
-//! a triangle that a ray meets -> whether it is there for this ray: not seen from its back, and not where its picture has a hole
+//! a triangle that a ray meets -> whether it is there: not seen from its back, and not where its picture has a hole
 
 use glam::Vec3;
 
@@ -8,9 +8,17 @@ use crate::cpu::trace::aim::{Aim, Ray, turned};
 use crate::cpu::trace::meet::edges;
 use crate::tables::{CUT_OUT, Leaf, ONE_SIDED, Tables};
 
-/// What stands in a light's way, as `any` asks, has two sides: so it is drawn, too.
+/// What stands in a light's way, as `any` asks, has two sides: so it is drawn, too. `number` of its face and `material`
+/// are the triangle's own, whichever tree it lies below.
 #[must_use]
-pub fn is_solid(tables: &Tables, ray: Ray, aim: &Aim, leaf: &Leaf, any: bool) -> bool {
+pub fn is_solid(
+    tables: &Tables,
+    ray: Ray,
+    aim: &Aim,
+    leaf: &Leaf,
+    [number, material]: [u32; 2],
+    any: bool,
+) -> bool {
     let corners = [leaf.a, leaf.b, leaf.c].map(|corner| turned(corner - ray.origin, aim.axis));
     let [u, v, w] = edges(corners, aim);
     let area = u + v + w;
@@ -19,9 +27,8 @@ pub fn is_solid(tables: &Tables, ray: Ray, aim: &Aim, leaf: &Leaf, any: bool) ->
     if !solid || leaf.kind & CUT_OUT == 0 {
         return solid;
     }
-    let settings = &tables.settings;
-    let face = tables.faces[(leaf.id - settings.spheres - settings.planes) as usize];
+    let face = tables.faces[number as usize];
     let vertices = [face.a, face.b, face.c].map(|i| &tables.vertices[i as usize]);
     let uv = uv_by(Vec3::new(u, v, w) / area, vertices);
-    is_there(&tables.texels, settings.filtering, &tables.paints[leaf.material as usize].opacity_map, uv)
+    is_there(&tables.texels, tables.settings.filtering, &tables.paints[material as usize].opacity_map, uv)
 }

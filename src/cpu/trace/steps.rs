@@ -2,6 +2,7 @@
 
 use crate::cpu::shade::scale::heat_of;
 use crate::cpu::trace::aim::Ray;
+use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::walk::{Walk, walk};
 use crate::tables::{DONE, NONE, Path, SEEK, Status, Tables};
 
@@ -17,7 +18,7 @@ pub fn steps(tables: &Tables, path: &mut Path, stack: &mut [[u32; 2]], status: &
     let start = Walk { t: path.t, hit: path.hit, next: 0, turns: 0, flags: 0 };
     let found = walk(tables, stack, ray, start, MOST_STEPS, false);
     if found.hit != NONE {
-        path.seen = tables.leaves[found.hit as usize].id;
+        path.seen = primitive_at(tables, found.hit).leaf.id;
     }
     path.radiance = heat_of(found.turns);
     path.state = DONE;

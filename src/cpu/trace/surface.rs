@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::detail::detail_at;
+use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::witness::Witness;
 use crate::math::vector::unit;
 use crate::tables::{Material, PLANE, SPHERE, Tables};
@@ -40,7 +41,8 @@ pub fn start_of(surface: &Surface, way: Vec3) -> Vec3 {
 #[must_use]
 pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32, witness: &mut impl Witness) -> Surface {
     let along = ray.origin + ray.direction * t;
-    let leaf = &tables.leaves[hit as usize];
+    let primitive = primitive_at(tables, hit);
+    let leaf = &primitive.leaf;
     let (point, mut normal, margin) = match leaf.kind {
         SPHERE => {
             let normal = unit(along - leaf.a);
@@ -52,10 +54,11 @@ pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32, witness: &mut imp
             // 16 units in the last place of the largest coordinate.
             let size = leaf.a.abs().max(leaf.b.abs().max(leaf.c.abs()));
             let margin = size.x.max(size.y.max(size.z)) * 9.536743e-7;
+            let margin = margin.max(primitive.holder.map_or(0.0, |placed| placed.margin));
             (along - normal * normal.dot(along - leaf.a), normal, margin)
         }
     };
-    let detail = detail_at(tables, ray, leaf, point, normal, witness);
+    let detail = detail_at(tables, ray, &primitive, point, normal, witness);
     let mut shading = detail.normal;
     if normal.dot(ray.direction) > 0.0 {
         normal = -normal;

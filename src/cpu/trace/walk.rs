@@ -1,10 +1,11 @@
 //! a ray and the scene -> its nearest hit, or the first that stands in its way
 
-use crate::cpu::trace::aim::{Aim, Ray, aim_of};
+use crate::cpu::trace::aim::{Aim, Ray};
 use crate::cpu::trace::boxes::boxes_met;
+use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
-use crate::cpu::trace::solid::is_solid;
-use crate::tables::{FAR, Leaf, NONE, PLANE, Plane, SPHERE, STACK_FULL, Sphere, Tables};
+use crate::cpu::trace::seat::Seat;
+use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, STACK_FULL, Sphere, Tables};
 
 /// Where a walk is, and what it has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,11 +68,21 @@ pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) 
 /// A child that is a node, and no primitive.
 const NODES: u32 = 0xff00_0000;
 
+/// Instances that are still to be asked, in the place of children.
+const INSTANCES: u32 = 0x8000_0000;
+
+/// Whether there is anything left to ask.
+fn is_open(group: [u32; 2]) -> bool {
+    group[1] >= 1 << 24 || (group[0] >= INSTANCES && group[1] != 0)
+}
+
 /// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
 /// With `any`, stops at the first that is met.
 ///
 /// `stack` has `deep` places: the children of nodes that are still to be asked, where all of a node's begin; a bit for
-/// each from bit 24 up, the next one the highest; and below bit 8, which of the places hold nodes.
+/// each from bit 24 up, the next one the highest; and below bit 8, which of the places hold nodes. Or instances that
+/// are still to be asked: where a node's leaves begin, with the highest bit, and a bit for each. Where there are
+/// instances, the last place says in which of them the walk is.
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     let mut walk = start;
@@ -81,55 +92,89 @@ pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most
         return walk;
     }
 
-    let aim = aim_of(ray, tables.settings.low, tables.settings.high);
-    let per_length_squared = 1.0 / ray.direction.dot(ray.direction);
+    let mut seat = Seat::in_world(tables, ray);
+    let room = stack.len() - tables.instances.len().min(1);
+    // The instance that the walk is in, and how much of the stack is the world's then.
+    let (mut within, mut base) = (NONE, 0);
     // The number of the hit; nothing wins a tie against the reach of a ray.
-    let mut id = if walk.hit == NONE { 0 } else { tables.leaves[walk.hit as usize].id };
+    let mut id = if walk.hit == NONE { 0 } else { primitive_at(tables, walk.hit).leaf.id };
     // What of the stack is in hand; the root is the only child of nothing.
     let mut group = [0, if walk.next == planes { 0x8000_0000 } else { 0 }];
     let mut size = (walk.next.max(planes + 1) - planes - 1) as usize;
-    while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || group[1] >= 1 << 24) {
-        if group[1] < 1 << 24 {
+    if size > 0 && room < stack.len() {
+        [within, base] = stack[room];
+        if let Some(placed) = tables.instances.get(within as usize) {
+            seat = Seat::in_instance(tables, ray, placed);
+        }
+    }
+    let put = |stack: &mut [[u32; 2]], size: &mut usize, group: [u32; 2], flags: &mut u32| {
+        if is_open(group) {
+            if *size < room {
+                stack[*size] = group;
+                *size += 1;
+            } else {
+                *flags |= STACK_FULL;
+            }
+        }
+    };
+    while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
+        if within != NONE && size == base as usize && !is_open(group) {
+            // Back to the world.
+            within = NONE;
+            seat = Seat::in_world(tables, ray);
+        }
+        if !is_open(group) {
             size -= 1;
             group = stack[size];
         }
+        if group[0] >= INSTANCES {
+            // The next of some instances: its root, the only child of nothing.
+            within = tables.leaves[((group[0] ^ INSTANCES) + group[1].trailing_zeros()) as usize].material;
+            group[1] &= group[1] - 1;
+            put(stack, &mut size, group, &mut walk.flags);
+            base = size as u32;
+            let placed = &tables.instances[within as usize];
+            seat = Seat::in_instance(tables, ray, placed);
+            group = [placed.root, 0x8000_0000];
+        }
         let bit = group[1].ilog2();
         group[1] ^= 1 << bit;
-        if group[1] >= 1 << 24 {
-            if size < stack.len() {
-                stack[size] = group;
-                size += 1;
-            } else {
-                walk.flags |= STACK_FULL;
-            }
-        }
-        let before = (1 << ((bit - 24) ^ aim.octant)) - 1;
+        put(stack, &mut size, group, &mut walk.flags);
+        let before = (1 << ((bit - 24) ^ seat.aim.octant)) - 1;
         let node = &tables.nodes[(group[0] + (group[1] & before).count_ones()) as usize];
-        let mut met = boxes_met(node, ray, &aim, walk.t);
+        let mut met = boxes_met(node, seat.ray, &seat.aim, walk.t);
         group = [node.children, (met & NODES) | node.steps >> 24];
         met &= !NODES;
         walk.turns += 1;
+        // Those of the primitives that are instances.
+        let mut later = 0;
         while met != 0 && !(any && walk.hit != NONE) {
-            let i = node.leaves + met.trailing_zeros();
+            let place = met.trailing_zeros();
+            let i = node.leaves + place;
             met &= met - 1;
             let leaf = &tables.leaves[i as usize];
-            let t = meet(ray, &aim, per_length_squared, leaf, i);
-            let nearer = t < walk.t || (t == walk.t && leaf.id < id);
-            if nearer && (leaf.kind <= PLANE || is_solid(tables, ray, &aim, leaf, any)) {
-                walk.t = t;
-                walk.hit = i;
-                id = leaf.id;
-            }
             walk.turns += 1;
+            if leaf.kind == INSTANCE {
+                later |= 1 << place;
+                continue;
+            }
+            let number = i.wrapping_add(seat.numbers);
+            let t = meet(seat.ray, &seat.aim, seat.per_length_squared, leaf, number);
+            let nearer = t < walk.t || (t == walk.t && leaf.id + seat.ids < id);
+            if nearer && seat.is_solid(tables, leaf, any) {
+                walk.t = t;
+                walk.hit = number;
+                id = leaf.id + seat.ids;
+            }
+        }
+        if later != 0 {
+            put(stack, &mut size, group, &mut walk.flags);
+            group = [node.leaves | INSTANCES, later];
         }
     }
-    if group[1] >= 1 << 24 {
-        if size < stack.len() {
-            stack[size] = group;
-            size += 1;
-        } else {
-            walk.flags |= STACK_FULL;
-        }
+    put(stack, &mut size, group, &mut walk.flags);
+    if room < stack.len() {
+        stack[room] = [within, base];
     }
     walk.next = planes + 1 + size as u32;
     walk

@@ -81,6 +81,29 @@ pub struct Mesh {
     /// both sides by the ray tracer. false unless given.
     #[serde(default)]
     pub one_sided: bool,
+    /// Where it stands, if not once and as it says itself: each instance is the mesh as placed above, and then turned,
+    /// scaled and moved again. The ray tracer keeps the model once however many there are.
+    #[serde(default)]
+    pub instance: Vec<Instance>,
+}
+
+/// One of the places in which a mesh stands.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Instance {
+    /// Where it stands, in world space. [0, 0, 0] unless given.
+    #[serde(default = "origin")]
+    pub translate: Position,
+    /// Degrees that it is turned about x, then about y, then about z. [0, 0, 0] unless given.
+    #[serde(default = "origin")]
+    pub rotate: Position,
+    /// How large it is. 1 unless given.
+    #[serde(default = "one")]
+    pub scale: Length,
+    /// The name of a material that covers it instead of the mesh's.
+    #[serde(default)]
+    #[schemars(with = "String")]
+    pub material: Option<At<String>>,
 }
 
 fn origin() -> Position {
