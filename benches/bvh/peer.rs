@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use twinlight::math::Vec3;
 
-use crate::rays::{Asked, SETS};
+use crate::rays::Asked;
 
 /// One pass over a set of rays.
 #[derive(Debug, Clone, Copy)]
@@ -26,20 +26,20 @@ pub(crate) struct Peer {
     pub(crate) build: Duration,
 }
 
-pub(crate) fn write(name: &str, triangles: &[[Vec3; 3]], sets: &[Vec<Asked>]) {
+pub(crate) fn write(name: &str, triangles: &[[Vec3; 3]], names: &[&str], sets: &[Vec<Asked>]) {
     std::fs::write(format!("target/bvh/{name}.mesh"), bytemuck::cast_slice(triangles)).expect("room on the disk");
-    for (set, rays) in SETS.iter().zip(sets) {
+    for (set, rays) in names.iter().zip(sets) {
         std::fs::write(format!("target/bvh/{name}.{set}"), bytemuck::cast_slice(rays)).expect("room on the disk");
     }
 }
 
 impl Peer {
-    /// Builds a tree of medium quality over what was written by this name.
-    pub(crate) fn new(name: &str, threads: usize) -> Self {
+    /// Builds a tree of medium quality over what was written by this name; `flags` are the scene's.
+    pub(crate) fn new(name: &str, threads: usize, flags: u32, sets: &[&str]) -> Self {
         let mut child = Command::new("target/bvh/embree-rays")
             .arg(format!("target/bvh/{name}.mesh"))
-            .args([threads.to_string(), "1".to_owned(), "0".to_owned()])
-            .args(SETS.iter().map(|set| format!("target/bvh/{name}.{set}")))
+            .args([threads.to_string(), "1".to_owned(), flags.to_string()])
+            .args(sets.iter().map(|set| format!("target/bvh/{name}.{set}")))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()
