@@ -20,7 +20,7 @@ use twinlight::trace;
 use super::raster_frames::painted;
 use super::stages::walk_along;
 use super::trace_lace::lace;
-use super::{Dice, Sliced, on_cpu, on_gpu, root, tables_of};
+use super::{Dice, Sliced, on_cpu, on_gpu, planted, root, tables_of};
 
 /// Two models with holes, one of them with a second coat: both in many places, turned and scaled.
 pub(super) fn crowd(number: u32, count: usize) -> Vec<Mesh> {
@@ -235,16 +235,7 @@ fn planted_faults_in_kernels_of_instances_are_seen() {
     ];
     let tables: Vec<_> = (0..6).map(|number| tables_of(&crowded(number))).collect();
     let wanted: Vec<_> = tables.iter().map(on_cpu).collect();
-    for (file, right, wrong) in faults {
-        let text = Sources::default().get(file).expect("the file").into_owned();
-        assert!(text.contains(right), "{file} has no {right}");
-        let sources = Sources::default().with(file, text.replace(right, wrong));
-        let seen = tables.iter().zip(&wanted).any(|(tables, wanted)| {
-            on_gpu(&sources, tables)
-                .map_or(true, |gpu| !compare(wanted, &gpu, Standard::Exact).expect("one size").passes())
-        });
-        assert!(seen, "nobody sees {wrong} in {file}");
-    }
+    planted(&faults, &tables, &wanted, |sources, thing| on_gpu(sources, thing).ok());
 }
 
 /// The same models, each in a file of its own, so that each has its own place in the tree.

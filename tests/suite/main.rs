@@ -56,6 +56,7 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::trace::CpuTrace;
+use twinlight::film::compare::{Standard, compare};
 use twinlight::film::{Film, Run};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{self, Gpu, GpuRaster, GpuTrace, Wanted};
@@ -282,6 +283,26 @@ impl Trace for Sliced<'_> {
 
     fn ease(&mut self, error: Infallible) -> Result<(), Infallible> {
         Err(error)
+    }
+}
+
+/// Plants faults into kernels (file, what stands there, what is planted): each makes some film another one. What has no
+/// film any more is seen, too.
+fn planted<T>(
+    faults: &[(&str, &str, &str)],
+    things: &[T],
+    wanted: &[Film],
+    on_gpu: impl Fn(&Sources, &T) -> Option<Film>,
+) {
+    for (file, right, wrong) in faults {
+        let text = Sources::default().get(file).expect("the file").into_owned();
+        assert!(text.contains(right), "{file} has no {right}");
+        let sources = Sources::default().with(file, text.replace(right, wrong));
+        let seen = things.iter().zip(wanted).any(|(thing, wanted)| {
+            on_gpu(&sources, thing)
+                .is_none_or(|gpu| !compare(wanted, &gpu, Standard::Exact).expect("one size").passes())
+        });
+        assert!(seen, "nobody sees {wrong} in {file}");
     }
 }
 

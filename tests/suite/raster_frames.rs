@@ -11,7 +11,7 @@ use twinlight::scene::model::{Content, Map, Texture};
 use twinlight::scene::{Camera, Filter, Light, Maps, Method, Scene, Show, Specular, Triangle};
 use twinlight::tables::ONE_SIDED;
 
-use super::{Dice, random_scene, root, scene_on_cpu, scene_on_gpu, small};
+use super::{Dice, planted, random_scene, root, scene_on_cpu, scene_on_gpu, small};
 
 /// A random scene to be drawn, with pictures on its materials.
 pub(super) fn painted(number: u32) -> Scene {
@@ -179,16 +179,7 @@ fn planted_faults_in_shading_are_seen() {
     ];
     let scenes: Vec<_> = (0..12).map(painted).collect();
     let wanted: Vec<_> = scenes.iter().map(scene_on_cpu).collect();
-    for (file, right, wrong) in faults {
-        let text = Sources::default().get(file).expect("the file").into_owned();
-        assert!(text.contains(right), "{file} has no {right}");
-        let sources = Sources::default().with(file, text.replace(right, wrong));
-        let seen = scenes.iter().zip(&wanted).any(|(scene, wanted)| {
-            let gpu = scene_on_gpu(&sources, scene).expect("a film");
-            !compare(wanted, &gpu, Standard::Exact).expect("one size").passes()
-        });
-        assert!(seen, "nobody sees {wrong} in {file}");
-    }
+    planted(&faults, &scenes, &wanted, |sources, thing| Some(scene_on_gpu(sources, thing).expect("a film")));
 }
 
 /// Runs of pixels that are lost, doubled or taken for others are noticed before anybody compares, or by the comparison.

@@ -9,7 +9,7 @@ use twinlight::scene::{Filter, Scene};
 use twinlight::tables::{GLASS, MIRROR, Material};
 
 use super::raster_frames::painted;
-use super::{Dice, on_cpu, on_gpu, root, small, tables_of};
+use super::{Dice, on_cpu, on_gpu, planted, root, small, tables_of};
 
 const FILTERS: [Filter; 3] = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap];
 
@@ -74,16 +74,7 @@ fn planted_faults_in_details_are_seen() {
     ];
     let tables: Vec<_> = (0..16).map(|number| tables_of(&traced(number))).collect();
     let wanted: Vec<_> = tables.iter().map(on_cpu).collect();
-    for (file, right, wrong) in faults {
-        let text = Sources::default().get(file).expect("the file").into_owned();
-        assert!(text.contains(right), "{file} has no {right}");
-        let sources = Sources::default().with(file, text.replace(right, wrong));
-        let seen = tables.iter().zip(&wanted).any(|(tables, wanted)| {
-            let gpu = on_gpu(&sources, tables).expect("a film");
-            !compare(wanted, &gpu, Standard::Exact).expect("one size").passes()
-        });
-        assert!(seen, "nobody sees {wrong} in {file}");
-    }
+    planted(&faults, &tables, &wanted, |sources, thing| Some(on_gpu(sources, thing).expect("a film")));
 }
 
 /// However a normal is bent: what is reflected in a mirror stays on its side, and what is refracted goes through.
