@@ -109,7 +109,7 @@ fn a_seen_face_is_outlined_around_its_pixel() {
 fn a_saved_picture_has_the_pixels_that_are_wanted() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("saved.png");
-    let words: Vec<u32> = (0..6).map(|i| 0xff00_0000 | (i * 40)).collect();
+    let words: Vec<u32> = (0..6).map(|i| 0xff00_0000 | (i * 0x28_1e0a)).collect();
     write_whole(&file, &picture_of([3, 2], &words)).expect("a picture");
     let saved = Saved::open(&file).expect("the same");
     assert_eq!(saved.words([3, 2]), words);
