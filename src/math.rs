@@ -11,5 +11,6 @@ pub mod quotient;
 pub mod random;
 pub mod sphere;
 pub mod vector;
+pub mod whole;
 
 pub use glam::{Vec2, Vec3};

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use bytemuck::Pod;
 use naga::proc::Layouter;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{AddressSpace, Module, StorageAccess, TypeInner};
+use naga::{AddressSpace, ImageClass, Module, StorageAccess, StorageFormat, TypeInner};
 
 use super::wgsl::{Joined, Sources, join};
 use super::{Buffer, Error, Gpu, Texels};
@@ -40,6 +40,7 @@ enum Space {
     Uniform,
     Storage { read_only: bool },
     Texture,
+    Image(wgpu::TextureFormat),
 }
 
 /// A compute pipeline made of one file of `wgsl/`.
@@ -127,7 +128,8 @@ impl Kernel {
     /// # Errors
     /// [`Error::Wgsl`] with file and line if its source is wrong.
     pub fn new(gpu: &Gpu, sources: &Sources, name: &str) -> Result<Self, Error> {
-        let joined = join(sources, name).map_err(Error::Wgsl)?;
+        let with_images = gpu.has_images().then(|| sources.clone().for_what("images"));
+        let joined = join(with_images.as_ref().unwrap_or(sources), name).map_err(Error::Wgsl)?;
         if let Some(kernel) = gpu.built(&joined.text) {
             return Ok(kernel);
         }
@@ -265,7 +267,15 @@ fn slots(module: &Module, info: &ModuleInfo) -> Vec<Slot> {
                 AddressSpace::Storage { access } => {
                     Space::Storage { read_only: !access.contains(StorageAccess::STORE) }
                 }
-                AddressSpace::Handle => Space::Texture,
+                AddressSpace::Handle => match module.types[v.ty].inner {
+                    TypeInner::Image { class: ImageClass::Storage { format, .. }, .. } => {
+                        Space::Image(match format {
+                            StorageFormat::R32Uint => wgpu::TextureFormat::R32Uint,
+                            _ => wgpu::TextureFormat::Rgba32Uint,
+                        })
+                    }
+                    _ => Space::Texture,
+                },
                 _ => Space::Uniform,
             };
             Slot { name: v.name.clone().unwrap_or_default(), binding: binding.binding, space, element }
@@ -282,6 +292,11 @@ fn layout_entry(slot: &Slot) -> wgpu::BindGroupLayoutEntry {
             sample_type: wgpu::TextureSampleType::Uint,
             view_dimension: wgpu::TextureViewDimension::D2,
             multisampled: false,
+        },
+        Space::Image(format) => wgpu::BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::ReadOnly,
+            format,
+            view_dimension: wgpu::TextureViewDimension::D2,
         },
     };
     wgpu::BindGroupLayoutEntry { binding: slot.binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }

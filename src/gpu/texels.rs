@@ -1,7 +1,7 @@
 //! Rust values -> a texture of four words a texel, or of one
 //!
 //! A table that lanes find their own ways through: lavapipe reads an array at an index of each lane's own word by word
-//! and lane by lane, and a texture much faster, four words at a time.
+//! and lane by lane, and a texture much faster, four words at a time; faster still as an image, which has no levels.
 
 use bytemuck::Pod;
 
@@ -48,6 +48,9 @@ impl Gpu {
             return Err(Error::TooLarge { label: label.to_owned(), bytes, most });
         }
         let size = wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
+        let images = self.has_images();
+        let bound =
+            if images { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::TEXTURE_BINDING };
         let scope = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let texture = self.device.create_texture(&wgpu::TextureDescriptor {
             label: Some(label),
@@ -56,7 +59,7 @@ impl Gpu {
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            usage: bound | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
         let row = ROW * texel;

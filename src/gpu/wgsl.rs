@@ -32,6 +32,7 @@ embed! {
     "math/random",
     "math/sphere",
     "math/vector",
+    "math/whole",
     "raster/call",
     "raster/clip",
     "raster/count",

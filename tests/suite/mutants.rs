@@ -10,7 +10,7 @@ use super::{on_cpu, on_gpu, root, small, tables_of};
 
 /// File, what stands there, what is planted, and the scene that must show it.
 const FAULTS: &[(&str, &str, &str, &str)] = &[
-    ("trace/primary", "view.height - 1u - pixel", "pixel", "room"),
+    ("trace/primary", "view.height - 1u - row", "row", "room"),
     ("trace/primary", "row * grid", "row", "room"),
     ("trace/cast", "slice.first + i", "slice.first + i + 1u", "room"),
     ("trace/meet", "dot(e, e) - r2", "dot(e, e) - r2 * 1.0001", "room"),

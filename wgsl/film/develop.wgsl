@@ -2,6 +2,7 @@
 #import "tables/print.wgsl"
 #import "tables/slice.wgsl"
 #import "math/power.wgsl"
+#import "math/whole.wgsl"
 
 @group(0) @binding(0) var<uniform> print: Print;
 // Red, green, blue and the number of samples in the sum.
@@ -24,10 +25,10 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    let x = i % print.across;
-    let y = i / print.across;
+    let y = whole(i, print.across);
+    let x = i - y * print.across;
     if (y < print.down) {
-        let sum = sums[y * print.height / print.down * print.width + x * print.width / print.across];
+        let sum = sums[whole(y * print.height, print.down) * print.width + whole(x * print.width, print.across)];
         var color = vec3f(0.0);
         if (sum.w > 0.0) {
             color = sum.xyz / sum.w;

@@ -3,6 +3,7 @@
 #import "tables/mesh.wgsl"
 #import "tables/piece.wgsl"
 #import "raster/weights.wgsl"
+#import "math/whole.wgsl"
 #import "shade/look.wgsl"
 #import "raster/shadow.wgsl"
 #import "shade/phong.wgsl"
@@ -10,7 +11,7 @@
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> canvas: Canvas;
 @group(0) @binding(2) var<uniform> part: Part;
-@group(0) @binding(5) var lenses: texture_2d<u32>;
+@group(0) @binding(5) var lenses: Table;
 @group(0) @binding(8) var<storage, read> shadows: array<u32>;
 @group(0) @binding(9) var<storage, read> image: array<u32>;
 @group(0) @binding(7) var<storage, read> runs: array<u32>;
@@ -27,16 +28,10 @@ fn color_of(id: u32) -> vec3f {
     return vec3f(vec3u(bits >> 24u, (bits >> 16u) & 255u, (bits >> 8u) & 255u)) / 255.0 * 0.75 + 0.25;
 }
 
-// Column and row of a pixel. lavapipe divides integers lane by lane; a float is off by one at most, since no image has
-// more than REGION rows.
+// Column and row of a pixel.
 fn place_of(pixel: u32) -> vec2u {
-    let width = i32(lens.width);
-    var row = i32(f32(pixel) / f32(width));
-    var column = i32(pixel) - row * width;
-    let off = select(select(0, 1, column >= width), -1, column < 0);
-    row += off;
-    column -= off * width;
-    return vec2u(vec2i(column, row));
+    let row = whole(pixel, lens.width);
+    return vec2u(pixel - row * lens.width, row);
 }
 
 // How steeply a weight grows from a pixel to its neighbors, and so how many pixels from it the weight is zero.

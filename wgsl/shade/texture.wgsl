@@ -36,10 +36,10 @@ fn wrapped(x: i32, size: i32) -> i32 {
 fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
     let column = wrapped(x, level.width);
     let row = level.height - 1 - wrapped(y, level.height);
-    let word = texel(texels, level.first + u32(row * level.width + column)).x;
+    let word = word_of(texels, level.first + u32(row * level.width + column));
     let bytes = vec3u(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u);
     if (decode) {
-        return bitcast<vec3f>(vec3u(texel(texels, bytes.x).x, texel(texels, bytes.y).x, texel(texels, bytes.z).x));
+        return bitcast<vec3f>(vec3u(word_of(texels, bytes.x), word_of(texels, bytes.y), word_of(texels, bytes.z)));
     }
     return vec3f(bytes) / 255.0;
 }
@@ -47,7 +47,7 @@ fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
 // Its alpha.
 fn alpha_of(level: Level, x: i32, y: i32) -> f32 {
     let row = level.height - 1 - wrapped(y, level.height);
-    let word = texel(texels, level.first + u32(row * level.width + wrapped(x, level.width))).x;
+    let word = word_of(texels, level.first + u32(row * level.width + wrapped(x, level.width)));
     return f32(word >> 24u) / 255.0;
 }
 

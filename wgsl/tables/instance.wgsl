@@ -31,7 +31,7 @@ struct Instance {
     pad: vec2u,
 }
 
-@group(0) @binding(17) var instances: texture_2d<u32>;
+@group(0) @binding(17) var instances: Table;
 
 fn instance_at(i: u32) -> Instance {
     let first = i * 7u;

@@ -30,8 +30,8 @@ struct Part {
 }
 
 // Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
-@group(0) @binding(12) var vertices: texture_2d<u32>;
-@group(0) @binding(13) var faces: texture_2d<u32>;
+@group(0) @binding(12) var vertices: Table;
+@group(0) @binding(13) var faces: Table;
 
 fn face_at(i: u32) -> Face {
     let a = texel(faces, i);

@@ -78,10 +78,10 @@ const SHOW_ID: u32 = 9u;
 const SHOW_TILES: u32 = 10u;
 const SHOW_WIRE: u32 = 11u;
 
-@group(0) @binding(14) var paints: texture_2d<u32>;
-@group(0) @binding(15) var lamps: texture_2d<u32>;
+@group(0) @binding(14) var paints: Table;
+@group(0) @binding(15) var lamps: Table;
 // One word a texel: 256 of the curve by which colors are decoded, then all levels of all pictures.
-@group(0) @binding(16) var texels: texture_2d<u32>;
+@group(0) @binding(16) var texels: Words;
 
 fn map_at(i: u32) -> Map {
     let a = texel(paints, i);

@@ -2,6 +2,7 @@
 #import "tables/view.wgsl"
 #import "math/fence.wgsl"
 #import "math/vector.wgsl"
+#import "math/whole.wgsl"
 
 @group(0) @binding(10) var<uniform> view: View;
 
@@ -22,7 +23,8 @@ fn place(sample: u32) -> vec2f {
 
 // A pixel's column, and its row from the bottom.
 fn corner(pixel: u32) -> vec2f {
-    return vec2f(vec2u(pixel % view.width, view.height - 1u - pixel / view.width));
+    let row = whole(pixel, view.width);
+    return vec2f(vec2u(pixel - row * view.width, view.height - 1u - row));
 }
 
 // Spec 2.2, with the film plane at distance one and rows counted from the top.

@@ -13,9 +13,9 @@
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 // Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
-@group(0) @binding(1) var nodes: texture_2d<u32>;
+@group(0) @binding(1) var nodes: Table;
 // Planes, then the others in the order of the tree.
-@group(0) @binding(2) var leaves: texture_2d<u32>;
+@group(0) @binding(2) var leaves: Table;
 
 fn node_at(i: u32) -> Node {
     let a = texel(nodes, i * 5u);

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::film::Transfer;
+use crate::math::whole::whole;
 use crate::tables::{Print, SRGB};
 
 /// The words of a picture, `print.pitch` from row to row; red in the lowest byte, and nothing is transparent.
@@ -12,7 +13,7 @@ pub fn develop(print: &Print, sums: &[[f32; 4]]) -> Vec<u32> {
     let mut words = vec![0; (print.pitch * print.down) as usize];
     words.par_chunks_mut(print.pitch as usize).zip(0..print.down).for_each(|(row, y)| {
         for (word, x) in row.iter_mut().zip(0..print.across) {
-            let at = y * print.height / print.down * print.width + x * print.width / print.across;
+            let at = whole(y * print.height, print.down) * print.width + whole(x * print.width, print.across);
             let [red, green, blue, samples] = sums[at as usize];
             let color = if samples > 0.0 { [red, green, blue].map(|part| part / samples) } else { [0.0; 3] };
             // What is not a finite number is black.

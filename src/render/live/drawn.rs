@@ -27,6 +27,8 @@ pub(super) struct Drawn<'g> {
     moving: bool,
     /// Pixels of the picture, across and down, that one of the film stands for while the eye moves.
     coarse: u32,
+    /// Samples that took too long, one after the other.
+    late: u32,
 }
 
 /// Drawings of lights' depths are counted through.
@@ -34,8 +36,10 @@ static LIGHTINGS: AtomicU64 = AtomicU64::new(1);
 
 /// The most of them.
 const COARSEST: u32 = 4;
-/// How long a picture may take while the eye moves: 30 of them in a second.
-const AT_ONCE: Duration = Duration::from_millis(33);
+/// How long a sample may take while the eye moves: of 33 ms, 30 pictures in a second, the rest is for the window.
+const AT_ONCE: Duration = Duration::from_millis(28);
+/// Samples in a row that took longer before the film is made coarser: one alone may be another program's fault.
+const LATE: u32 = 2;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Lit {
@@ -65,7 +69,7 @@ impl<'g> Drawn<'g> {
                 On::Cpu { sums: Vec::new(), shadows, image }
             }
         };
-        Ok(Self { scenery, on, lit: Lit::No, lightings: 0, has: 0, moving: wish.moving, coarse: 1 })
+        Ok(Self { scenery, on, lit: Lit::No, lightings: 0, has: 0, moving: wish.moving, coarse: 1, late: 0 })
     }
 
     pub(super) fn aim(&mut self, old: &Wish, new: &Wish) -> Result<bool, Error> {
@@ -146,11 +150,12 @@ impl<'g> Drawn<'g> {
         Ok(true)
     }
 
-    /// Twice as coarse is four times as little to do.
+    /// Twice as coarse is at most four times as little to do.
     fn learn(&mut self, took: Duration) {
-        if took > AT_ONCE {
-            self.coarse = (self.coarse * 2).min(COARSEST);
-        } else if took * 5 < AT_ONCE {
+        self.late = if took > AT_ONCE { self.late + 1 } else { 0 };
+        if self.late >= LATE {
+            (self.coarse, self.late) = ((self.coarse * 2).min(COARSEST), 0);
+        } else if took * 4 < AT_ONCE {
             self.coarse = (self.coarse / 2).max(1);
         }
     }
