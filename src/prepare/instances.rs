@@ -28,7 +28,7 @@ pub(super) fn form(scene: &Scene, meshes: Vec<usize>, sheet: &mut Sheet, builder
     let face = faces.start as u32;
     let all = sheet.faces[faces].iter().zip(0..).map(|(face, id)| triangle(sheet, face, id));
     let all: Vec<Leaf> = all.filter(|leaf| across(leaf) != Vec3::ZERO).collect();
-    let tree = builder.build(&all.iter().map(around).collect::<Vec<_>>());
+    let tree = builder.build(all.iter().map(around).collect());
     let leaves = tree.order.iter().map(|&i| all[i as usize]).collect();
     Form { leaves, tree, face, meshes }
 }

@@ -28,38 +28,25 @@ pub(super) fn leaves(scene: &Scene, sheet: &mut Sheet, builder: &dyn Builder) ->
     for mesh in alone.into_iter().map(|i| &scene.meshes[i]) {
         sheet.stand(mesh, scene, scene.has_no_backs(mesh));
     }
-    let spheres = scene.spheres.iter().zip(0..).map(|(s, id)| {
-        let [b, c] = [Vec3::X * s.radius, Vec3::ZERO];
-        Leaf { a: s.center, id, b, material: s.material as u32, c, kind: SPHERE }
-    });
-    let mut below: Vec<Leaf> = spheres.collect();
     let along_u = |p: &Plane| p.axes()[0] / p.tile;
-    let planes = scene.planes.iter().zip(below.len() as u32..).map(|(p, id)| {
+    let planes = scene.planes.iter().zip(scene.spheres.len() as u32..).map(|(p, id)| {
         let material = p.material as u32;
         Leaf { a: p.point, id, b: p.normal, material, c: along_u(p), kind: PLANE }
     });
     let mut all: Vec<Leaf> = planes.collect();
-    let first = (below.len() + all.len()) as u32;
-    for (face, i) in sheet.faces.iter().zip(0..) {
-        let leaf = triangle(sheet, face, first + i);
-        // Of a model, one without area is met by no ray, and has no normal.
-        if (i as usize) < scene.triangles.len() || across(&leaf) != Vec3::ZERO {
-            below.push(leaf);
-        }
-    }
-    let loose = first + sheet.faces.len() as u32;
+    let faces = sheet.faces.len();
+    let loose = (scene.spheres.len() + all.len() + faces) as u32;
     let mut id = loose;
     let forms: Vec<_> = shared.into_iter().map(|meshes| form(scene, meshes, sheet, builder)).collect();
     let placed: Vec<Vec<_>> = forms.iter().map(|form| form.instances(scene, &mut id)).collect();
-    for ((_, around), number) in placed.iter().flatten().zip(0..) {
-        let [a, b] = [around.low, around.high].map(Vec4::truncate);
-        below.push(Leaf { a, id: 0, b, material: number, c: Vec3::ZERO, kind: INSTANCE });
-    }
-    let boxes: Vec<Bounds> = below.par_iter().map(around).collect();
-    let tree = builder.build(&boxes);
+    let boxes = placed.iter().flatten().map(|(_, around)| *around).collect();
+    let below = Below { scene, sheet, faces, boxes };
+    let numbers: Vec<u32> = (0..below.count()).into_par_iter().filter(|&i| below.is_met(i)).collect();
+    let tree = builder.build(numbers.par_iter().map(|&i| around(&below.leaf(i))).collect());
+    let planes = all.len() as u32;
     let mut nodes: Vec<Node> =
-        tree.nodes.iter().map(|node| Node { leaves: node.leaves + all.len() as u32, ..*node }).collect();
-    all.par_extend(tree.order.par_iter().map(|&i| below[i as usize]));
+        tree.nodes.into_iter().map(|node| Node { leaves: node.leaves + planes, ..node }).collect();
+    all.par_extend(tree.order.par_iter().map(|&i| below.leaf(numbers[i as usize])));
     let mut deep = tree.deep;
     let mut instances = Vec::new();
     for (form, placed) in forms.iter().zip(placed) {
@@ -71,6 +58,48 @@ pub(super) fn leaves(scene: &Scene, sheet: &mut Sheet, builder: &dyn Builder) ->
         deep = deep.max(2 * tree.deep + form.tree.deep + 1);
     }
     Leaves { all, nodes, deep, instances, loose, bounds: tree.bounds }
+}
+
+/// What may be below the nodes, by number: spheres, then faces, then instances. It is made when it is asked for, once
+/// for its box and once for its place: that is faster than to keep it in between.
+struct Below<'a> {
+    scene: &'a Scene,
+    sheet: &'a Sheet,
+    /// How many of the sheet's are no instance's.
+    faces: usize,
+    /// Around each instance.
+    boxes: Vec<Bounds>,
+}
+
+impl Below<'_> {
+    fn count(&self) -> u32 {
+        (self.scene.spheres.len() + self.faces + self.boxes.len()) as u32
+    }
+
+    /// Of a model, a face without area is met by no ray, and has no normal.
+    fn is_met(&self, number: u32) -> bool {
+        let solid = self.scene.spheres.len() + self.scene.triangles.len();
+        (number as usize) < solid || across(&self.leaf(number)) != Vec3::ZERO || self.is_instance(number)
+    }
+
+    fn is_instance(&self, number: u32) -> bool {
+        number as usize >= self.scene.spheres.len() + self.faces
+    }
+
+    fn leaf(&self, number: u32) -> Leaf {
+        let i = number as usize;
+        let spheres = self.scene.spheres.len();
+        if let Some(sphere) = self.scene.spheres.get(i) {
+            let [b, c] = [Vec3::X * sphere.radius, Vec3::ZERO];
+            Leaf { a: sphere.center, id: number, b, material: sphere.material as u32, c, kind: SPHERE }
+        } else if self.is_instance(number) {
+            let place = i - spheres - self.faces;
+            let [a, b] = [self.boxes[place].low, self.boxes[place].high].map(Vec4::truncate);
+            Leaf { a, id: 0, b, material: place as u32, c: Vec3::ZERO, kind: INSTANCE }
+        } else {
+            triangle(self.sheet, &self.sheet.faces[i - spheres], number + self.scene.planes.len() as u32)
+        }
+    }
 }
 
 /// A face as a leaf.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 
 use super::levels::{count, levels};
 use crate::film::Transfer;
@@ -162,12 +163,19 @@ impl Sheet {
     }
 
     pub(super) fn triangles(&mut self, scene: &Scene) {
-        for triangle in &scene.triangles {
+        let first = self.vertices.len() as u32;
+        let corners = scene.triangles.par_iter().map(|triangle| {
             let [p, q, r] = triangle.vertices;
             let normal = unit((q - p).cross(r - p));
-            let corners: [_; 3] = std::array::from_fn(|i| (triangle.vertices[i], triangle.uvs[i]));
-            self.corners(&corners, normal, triangle.material);
-        }
+            let corner = |i: usize| (triangle.vertices[i], triangle.uvs[i]);
+            [0, 1, 2].map(|i| vertex(&corner(i), normal))
+        });
+        let corners: Vec<[Vertex; 3]> = corners.collect();
+        self.vertices.append(&mut corners.into_flattened());
+        self.faces.par_extend(scene.triangles.par_iter().enumerate().map(|(i, triangle)| {
+            let a = first + 3 * i as u32;
+            Face { a, b: a + 1, c: a + 2, paint: triangle.material as u32 }
+        }));
     }
 
     /// Infinite planes reach as far as the far plane, around the point of them that is nearest to the eye.
@@ -195,12 +203,15 @@ impl Sheet {
 
     fn corners(&mut self, corners: &[(Vec3, Vec2)], normal: Vec3, material: usize) {
         let first = self.vertices.len() as u32;
-        let vertex = |&(position, uv): &(Vec3, Vec2)| Vertex { position, u: uv.x, normal, v: uv.y };
-        self.vertices.extend(corners.iter().map(vertex));
+        self.vertices.extend(corners.iter().map(|corner| vertex(corner, normal)));
         for i in 2..corners.len() as u32 {
             self.faces.push(Face { a: first, b: first + i - 1, c: first + i, paint: material as u32 });
         }
     }
+}
+
+fn vertex(&(position, uv): &(Vec3, Vec2), normal: Vec3) -> Vertex {
+    Vertex { position, u: uv.x, normal, v: uv.y }
 }
 
 fn lay(map: Option<model::Map>, textures: &[Map]) -> Map {

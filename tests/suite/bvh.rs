@@ -229,6 +229,25 @@ fn spheres_among_triangles_are_found() {
     assert!(tally.differ == 0 && tally.hits * 4 > tally.rays, "{tally:?}");
 }
 
+#[test]
+fn a_tree_is_the_same_with_any_number_of_threads() {
+    // More boxes than one core works at alone, parted by planes and not.
+    for corners in [soup(11, 40_000), vec![soup(12, 1)[0]; 20_000]] {
+        let boxes: Vec<Bounds> = corners.iter().map(|corners| Bounds::around(*corners)).collect();
+        let build = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            pool.install(|| Binned.build(boxes.clone()))
+        };
+        let one = build(1);
+        for threads in [2, 3, 8] {
+            assert!(one == build(threads), "on {threads} threads");
+        }
+        let mut order = one.order;
+        order.sort_unstable();
+        assert!(order.iter().copied().eq(0..boxes.len() as u32), "each box is a leaf's once");
+    }
+}
+
 /// The cross-check: a tree that is built in another way, two children a node.
 #[test]
 fn a_tree_of_two_children_says_the_same() {
@@ -255,7 +274,7 @@ struct Faulty(Fault);
 type Fault = fn(&mut Tree);
 
 impl Builder for Faulty {
-    fn build(&self, boxes: &[Bounds]) -> Tree {
+    fn build(&self, boxes: Vec<Bounds>) -> Tree {
         let mut tree = Binned.build(boxes);
         (self.0)(&mut tree);
         tree

@@ -12,12 +12,11 @@ use crate::tables::Node;
 pub struct Binned;
 
 /// Parts with fewer boxes than this are not worth a task.
-const TASK: usize = 4096;
+const TASK: usize = 2048;
 
 impl Builder for Binned {
-    fn build(&self, boxes: &[Bounds]) -> Tree {
-        let mut items: Vec<Item> =
-            boxes.par_iter().zip(0..boxes.len() as u32).map(|(b, i)| Item::new(*b, i)).collect();
+    fn build(&self, boxes: Vec<Bounds>) -> Tree {
+        let mut items: Vec<Item> = boxes.into_iter().zip(0..).map(|(b, i)| Item::new(b, i)).collect();
         let whole = Part::new(&items, 0..items.len());
         let bounds = whole.bounds;
         let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0) };

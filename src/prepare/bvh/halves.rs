@@ -9,8 +9,8 @@ use super::{Bounds, Builder, Tree};
 pub struct Halves;
 
 impl Builder for Halves {
-    fn build(&self, boxes: &[Bounds]) -> Tree {
-        let mut items: Vec<Item> = boxes.iter().zip(0..).map(|(b, i)| Item::new(*b, i)).collect();
+    fn build(&self, boxes: Vec<Bounds>) -> Tree {
+        let mut items: Vec<Item> = boxes.into_iter().zip(0..).map(|(b, i)| Item::new(b, i)).collect();
         let whole = Part::new(&items, 0..items.len());
         let bounds = whole.bounds;
         let mut grown = Grown::new();

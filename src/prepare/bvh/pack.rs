@@ -13,31 +13,41 @@ pub(super) type Places<'a> = [Option<&'a Part>; 8];
 ///
 /// Place 7 lies towards +x +y +z. A ray asks the places in the order of `place ^ octant`.
 pub(super) fn places<'a>(parts: &'a [Part], whole: Bounds) -> Places<'a> {
-    // How far a child lies from the middle, against the direction of each place.
+    // How far a child lies from the middle, against the direction of each place; the pair's number is in the last bits.
     let mut costs = [[f32::INFINITY; 8]; 8];
-    for (part, costs) in parts.iter().zip(&mut costs) {
+    for ((part, costs), i) in parts.iter().zip(&mut costs).zip(0..) {
         let [x, y, z, _] = (part.bounds.middle() - whole.middle()).to_array();
-        for (place, cost) in costs.iter_mut().enumerate() {
-            let side = |bit: usize, x: f32| if place & bit == 0 { x } else { -x };
-            *cost = side(4, x) + side(2, y) + side(1, z);
+        for (cost, place) in costs.iter_mut().zip(0..) {
+            let side = |bit: u32, x: f32| if place & bit == 0 { x } else { -x };
+            let far = side(4, x) + side(2, y) + side(1, z);
+            // What is not a number is far, too.
+            let far = if far < FAR { far.max(-FAR) } else { FAR };
+            *cost = f32::from_bits(far.to_bits() & !63 | i << 3 | place);
         }
     }
     let mut taken: Places<'a> = [None; 8];
-    let mut left: [usize; 8] = std::array::from_fn(|i| i);
-    for count in (1..=parts.len()).rev() {
-        let mut least = (f32::INFINITY, 0, 8);
-        for (at, &i) in left[..count].iter().enumerate() {
-            for (place, &cost) in costs[i].iter().enumerate() {
-                if taken[place].is_none() && (cost < least.0 || least.2 == 8) {
-                    least = (cost, at, place);
-                }
-            }
+    let mut open = [0.0; 8];
+    for _ in parts {
+        let mut least = [f32::INFINITY; 8];
+        for costs in &costs[..parts.len()] {
+            least = std::array::from_fn(|place| lesser(least[place], costs[place]));
         }
-        let (_, at, place) = least;
-        taken[place] = Some(&parts[left[at]]);
-        left.swap(at, count - 1);
+        let least = std::array::from_fn::<_, 8, _>(|place| least[place] + open[place]);
+        let pair = least.into_iter().fold(f32::INFINITY, lesser).to_bits();
+        let [i, place] = [pair >> 3, pair].map(|bits| bits as usize % 8);
+        taken[place] = Some(&parts[i]);
+        open[place] = f32::INFINITY;
+        costs[i] = [f32::INFINITY; 8];
     }
     taken
+}
+
+/// Less than infinite, in the sum with an open place's nothing too.
+const FAR: f32 = 1e38;
+
+/// One instruction, other than `f32::min`, which minds what is not a number.
+fn lesser(a: f32, b: f32) -> f32 {
+    if b < a { b } else { a }
 }
 
 /// The node; its children and leaves are counted from the numbers given.

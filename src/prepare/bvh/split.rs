@@ -1,12 +1,11 @@
-//! the boxes of a node -> its children, by the surface area heuristic in bins
-//!
-//! Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007.
+//! the boxes of a node -> its children, by the surface area heuristic
 
 use std::ops::Range;
 
-use glam::Vec4;
+use rayon::prelude::*;
 
-use super::{Bounds, MOST_IN_LEAF};
+use super::bins::best;
+use super::{Bounds, MOST_IN_LEAF, sides};
 
 /// A box; its number stands in the bits of the fourth part of `low`, below those of a 2: subnormal numbers are slow.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +23,10 @@ impl Item {
     }
 }
 
+/// Parts of at least two times so many items are worked at in chunks by all cores; what comes of that is the same with
+/// any number of them.
+pub(super) const CHUNK: usize = 1 << 12;
+
 /// Some of a node's boxes, next to each other.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
@@ -38,10 +41,16 @@ pub(super) struct Part {
 impl Part {
     pub(super) fn new(items: &[Item], range: Range<usize>) -> Self {
         let nothing = (Bounds::NOTHING, Bounds::NOTHING);
-        let (bounds, middles) = items[range.clone()].iter().fold(nothing, |(bounds, middles), item| {
-            let middle = item.0.middle();
-            (bounds.join(item.0), middles.join(Bounds { low: middle, high: middle }))
-        });
+        let add = |(bounds, middles): (Bounds, Bounds), item: &Item| {
+            (bounds.join(item.0), middles.join(Bounds::at(item.0.middle())))
+        };
+        let own = &items[range.clone()];
+        let (bounds, middles) = if own.len() < 2 * CHUNK {
+            own.iter().fold(nothing, add)
+        } else {
+            let chunks = own.par_chunks(CHUNK).map(|own| own.iter().fold(nothing, add));
+            chunks.reduce(|| nothing, |a, b| (a.0.join(b.0), a.1.join(b.1)))
+        };
         Self { items: range, bounds, middles }
     }
 
@@ -61,16 +70,22 @@ const CHILDREN: usize = 8;
 
 /// Sorts the items of a part into at most eight.
 pub(super) fn children(items: &mut [Item], whole: Part, level: u32) -> Vec<Part> {
+    if whole.items.len() <= CHILDREN {
+        let alone = |i: usize| Part { items: i..i + 1, bounds: items[i].0, middles: Bounds::NOTHING };
+        return whole.items.map(alone).collect();
+    }
     let mut parts = Vec::with_capacity(CHILDREN);
+    let mut areas = [whole.bounds.half_area(); CHILDREN];
     parts.push(whole);
     while parts.len() < CHILDREN {
         // What is left as a leaf costs no node: it is split only where there is room to spare.
-        let largest = |parts: &[Part], least: usize| {
-            let open = parts.iter().enumerate().filter(|(_, part)| part.items.len() > least);
-            open.max_by(|a, b| a.1.bounds.half_area().total_cmp(&b.1.bounds.half_area())).map(|(i, _)| i)
+        let largest = |least: usize| {
+            let open = parts.iter().zip(areas).enumerate().filter(|(_, (part, _))| part.items.len() > least);
+            open.max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|(i, _)| i)
         };
-        let Some(i) = largest(&parts, MOST_IN_LEAF).or_else(|| largest(&parts, 1)) else { break };
+        let Some(i) = largest(MOST_IN_LEAF).or_else(|| largest(1)) else { break };
         let (left, right) = halves(items, &parts[i], level >= STEEP);
+        (areas[i], areas[parts.len()]) = (left.bounds.half_area(), right.bounds.half_area());
         parts[i] = left;
         parts.push(right);
     }
@@ -87,26 +102,14 @@ fn halves(items: &mut [Item], part: &Part, steep: bool) -> (Part, Part) {
         let middle = start.midpoint(end);
         return (Part::new(items, start..middle), Part::new(items, middle..end));
     };
-    let nothing = Part { items: 0..0, bounds: Bounds::NOTHING, middles: Bounds::NOTHING };
-    let (mut left, mut right) = (nothing.clone(), nothing);
-    let put = |part: &mut Part, item: &Item| {
-        let middle = item.0.middle();
-        part.middles = part.middles.join(Bounds { low: middle, high: middle });
-    };
-    let (mut i, mut j) = (start, end);
-    while i < j {
-        if plane.is_left(&items[i]) {
-            put(&mut left, &items[i]);
-            i += 1;
-        } else {
-            put(&mut right, &items[i]);
-            j -= 1;
-            items.swap(i, j);
-        }
-    }
-    [left.bounds, right.bounds] = plane.bounds;
-    (left.items, right.items) = (start..i, i..end);
-    (left, right)
+    let sides = sides::sort(&mut items[start..end], &plane);
+    let middle = start + sides.left;
+    let [left, right] = plane.bounds;
+    let [left_middles, right_middles] = sides.middles;
+    (
+        Part { items: start..middle, bounds: left, middles: left_middles },
+        Part { items: middle..end, bounds: right, middles: right_middles },
+    )
 }
 
 /// Parts of so few boxes are sorted instead.
@@ -142,83 +145,4 @@ fn few(items: &mut [Item], part: &Part) -> (Part, Part) {
         }
     }
     (Part::new(items, start..middle), Part::new(items, middle..end))
-}
-
-/// Middles in bins below `bin` along `axis` lie left.
-struct Plane {
-    axis: usize,
-    bin: usize,
-    grid: Grid,
-    bounds: [Bounds; 2],
-}
-
-impl Plane {
-    fn is_left(&self, item: &Item) -> bool {
-        self.grid.bins(item)[self.axis] < self.bin
-    }
-}
-
-/// Where the middle of the first bin is, and how many bins a unit holds.
-#[derive(Clone, Copy)]
-struct Grid {
-    low: Vec4,
-    scale: Vec4,
-}
-
-const BINS: usize = 16;
-
-impl Grid {
-    #[inline]
-    fn bins(self, item: &Item) -> [usize; 3] {
-        // The last bits of a number this large count whole ones; what is not a number falls into some bin.
-        let at = (item.0.middle() - self.low) * self.scale + 8_388_608.0;
-        [at.x, at.y, at.z].map(|at| at.to_bits() as usize % BINS)
-    }
-}
-
-#[derive(Clone, Copy)]
-struct Bin {
-    bounds: Bounds,
-    count: usize,
-}
-
-const EMPTY: Bin = Bin { bounds: Bounds::NOTHING, count: 0 };
-
-/// The plane between bins that is the cheapest; none if no plane parts the middles.
-fn best(items: &[Item], middles: Bounds) -> Option<Plane> {
-    // A few boxes need few bins.
-    let count = items.len().clamp(4, BINS);
-    let size = middles.high - middles.low;
-    let scale = Vec4::splat((count - 1) as f32) / size;
-    // An axis without extent is none: all middles fall into its first bin.
-    let scale = Vec4::select(size.cmpgt(Vec4::ZERO) & scale.cmplt(Vec4::INFINITY), scale, Vec4::ZERO);
-    let grid = Grid { low: middles.low, scale };
-    let mut bins = [[EMPTY; BINS]; 3];
-    for item in items {
-        for (bins, i) in bins.iter_mut().zip(grid.bins(item)) {
-            bins[i].bounds = bins[i].bounds.join(item.0);
-            bins[i].count += 1;
-        }
-    }
-    let mut least = f32::INFINITY;
-    let mut plane = None;
-    for (axis, bins) in bins.iter().enumerate() {
-        let mut right = [EMPTY; BINS];
-        let mut sum = EMPTY;
-        for i in (1..count).rev() {
-            sum = Bin { bounds: sum.bounds.join(bins[i].bounds), count: sum.count + bins[i].count };
-            right[i] = sum;
-        }
-        let mut left = EMPTY;
-        for bin in 1..count {
-            left = Bin { bounds: left.bounds.join(bins[bin - 1].bounds), count: left.count + bins[bin - 1].count };
-            let cost = |b: &Bin| b.bounds.half_area() * b.count as f32;
-            let both = cost(&left) + cost(&right[bin]);
-            if left.count > 0 && right[bin].count > 0 && both < least {
-                least = both;
-                plane = Some(Plane { axis, bin, grid, bounds: [left.bounds, right[bin].bounds] });
-            }
-        }
-    }
-    plane
 }
