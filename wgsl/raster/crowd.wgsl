@@ -13,14 +13,12 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    if (i < part.faces) {
-        let s = speck(i);
-        if (s.kind == SMALL) {
-            let tiles = vec4u(vec2u(s.first), vec2u(s.last)) / TILE;
-            for (var row = tiles.y; row <= tiles.w; row++) {
-                for (var column = tiles.x; column <= tiles.z; column++) {
-                    atomicAdd(&counts[2u * (row * lens.columns + column) + 1u], 1u);
-                }
+    let s = speck(i);
+    if (s.kind == SMALL) {
+        let tiles = vec4u(vec2u(s.first), vec2u(s.last)) / TILE;
+        for (var row = tiles.y; row <= tiles.w; row++) {
+            for (var column = tiles.x; column <= tiles.z; column++) {
+                atomicAdd(&counts[2u * (row * lens.columns + column) + 1u], 1u);
             }
         }
     }

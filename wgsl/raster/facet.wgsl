@@ -14,7 +14,7 @@ struct Facet {
 // Whether a face with this paint is not there when its area on the film is above zero: y runs down the film, so that
 // what is counterclockwise in the world has an area below zero here.
 fn one_sided(paint: u32) -> bool {
-    return (paint & ONE_SIDED) != 0u && lens.cull == 1u;
+    return ((paint & ONE_SIDED) != 0u) & (lens.cull == 1u);
 }
 
 fn facet(paint: u32, p: vec3i, q: vec3i, r: vec3i) -> Facet {

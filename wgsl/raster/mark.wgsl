@@ -8,19 +8,27 @@
 @group(0) @binding(4) var<storage, read_write> image: array<atomic<u32>>;
 
 fn mark(s: Speck, id: u32) {
-    let from_first = s.last - s.first;
-    let corner = u32(s.first.y) * lens.width + u32(s.first.x);
-    for (var by = 0; by <= from_first.y; by += 8) {
-        for (var bx = 0; bx <= from_first.x; bx += 8) {
-            var bits = covered(s, vec2i(bx, by));
-            while ((bits.x | bits.y) != 0u) {
-                let here = first_of(bits) + vec2i(bx, by);
-                bits = rest_of(bits);
-                let at = 2u * (corner + u32(here.y) * lens.width + u32(here.x));
+    let width = lens.width;
+    let corner = u32(s.first.y) * width + u32(s.first.x);
+    var block = vec2i(0);
+    loop {
+        var bits = covered(s, block);
+        loop {
+            if ((bits.x | bits.y) != 0u) {
+                let here = first_of(bits) + block;
+                let at = 2u * (corner + u32(here.y) * width + u32(here.x));
                 if (atomicLoad(&image[at + 1u]) == nearness(s.plan.depths, here.x, here.y)) {
                     atomicMax(&image[at], NONE - id);
                 }
             }
+            bits = rest_of(bits);
+            continuing {
+                break if (bits.x | bits.y) == 0u;
+            }
+        }
+        block = after(s, block);
+        continuing {
+            break if block.y > s.last.y - s.first.y;
         }
     }
 }
@@ -32,10 +40,5 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    if (i < part.faces) {
-        let s = speck(i);
-        if (s.kind == SMALL) {
-            mark(s, part.first + i);
-        }
-    }
+    mark(speck(i), part.first + i);
 }

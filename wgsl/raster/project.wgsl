@@ -14,9 +14,11 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
+    // The lens is read outside of every branch: under one lavapipe reads uniforms lane by lane.
+    let c = to_clip(vertex_at(min(i, part.vertices - 1u)).position);
+    let code = outcode(c);
+    let corner = Corner(select(vec3i(0), snap(c), code == 0u), code);
     if (i < part.vertices) {
-        let c = to_clip(vertex_at(i).position);
-        let code = outcode(c);
-        corners[i] = Corner(select(vec3i(0), snap(c), code == 0u), code);
+        corners[i] = corner;
     }
 }

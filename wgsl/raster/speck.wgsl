@@ -23,7 +23,7 @@ const TORN: u32 = 3u;
 
 struct Speck {
     kind: u32,
-    // First and last pixel of its bounding box on the film; the plan is seen from the first.
+    // First and last pixel of its bounding box on the film, if it is small; the plan is seen from the first.
     first: vec2i,
     last: vec2i,
     plan: Plan,
@@ -36,9 +36,10 @@ fn small_edge(p: vec2i, q: vec2i) -> vec3i {
     return vec3i(a, b, (select(-1, 0, owned(a, b)) - (a * p.x + b * p.y)) >> 8u);
 }
 
-// One straight line without a branch: lavapipe runs both sides of each.
+// One straight line without a branch, and under none: lavapipe runs both sides of each, and there reads uniforms lane by
+// lane. Beyond the last face there is nothing.
 fn speck(i: u32) -> Speck {
-    let face = face_at(i);
+    let face = face_at(min(i, part.faces - 1u));
     let ca = corners[face.a];
     let cb = corners[face.b];
     let cc = corners[face.c];
@@ -55,7 +56,7 @@ fn speck(i: u32) -> Speck {
     let turn = u.x * v.y - u.y * v.x;
     let q = select(cb.at, cc.at, turn < 0);
     let r = select(cc.at, cb.at, turn < 0);
-    let there = turn < 0 || (turn > 0 && !one_sided(face.paint));
+    let there = (turn < 0) | ((turn > 0) & !one_sided(face.paint));
     let center = bounds.xy * 256 + vec2i(128);
     let pq = small_edge(p.xy - center, q.xy - center);
     let qr = small_edge(q.xy - center, r.xy - center);
@@ -67,18 +68,21 @@ fn speck(i: u32) -> Speck {
     let whole_kind = select(small, select(NOTHING, LATE, on_film), large);
     let beyond = (ca.code & cb.code & cc.code) != 0u;
     let seen = select(whole_kind, select(TORN, NOTHING, beyond), crosses);
-    let kind = select(NOTHING, seen, ((face.paint & CUT_OUT) != 0u) == LACE);
-    return Speck(kind, bounds.xy, bounds.zw, plan);
+    let kind = select(NOTHING, seen, (i < part.faces) & (((face.paint & CUT_OUT) != 0u) == LACE));
+    return Speck(kind, bounds.xy, select(bounds.xy, bounds.zw, kind == SMALL), plan);
 }
 
 // Which of 8 x 8 pixels are covered, the first of them so far from the speck's own: bit 8 * y + x, 32 in each word.
+//
+// The loop ends at its end: lavapipe runs a loop's body once more when the last lane has left from its head.
 fn covered(s: Speck, block: vec2i) -> vec2u {
     var bits = vec2u(0u);
     var row = s.plan.e + s.plan.a * block.x + s.plan.b * block.y;
     let left = s.last - s.first - block;
     let columns = (2u << u32(min(left.x, 7))) - 1u;
     let last = min(left.y, 7);
-    for (var y = 0; y <= last; y++) {
+    var y = 0;
+    loop {
         var e = row;
         row += s.plan.b;
         var here = 0u;
@@ -88,11 +92,21 @@ fn covered(s: Speck, block: vec2i) -> vec2u {
 #end
         here = (here & columns) << u32((y & 3) * 8);
         bits |= select(vec2u(0u, here), vec2u(here, 0u), y < 4);
+        y++;
+        continuing {
+            break if y > last;
+        }
     }
-    return bits;
+    return select(vec2u(0u), bits, s.kind == SMALL);
 }
 
-// The first of them, as (x, y).
+// The 8 x 8 pixels after these, along the row and then on the next.
+fn after(s: Speck, block: vec2i) -> vec2i {
+    let ends = block.x + 8 > s.last.x - s.first.x;
+    return select(block + vec2i(8, 0), vec2i(0, block.y + 8), ends);
+}
+
+// The first of the covered ones, as (x, y).
 fn first_of(bits: vec2u) -> vec2i {
     let low = bits.x != 0u;
     let k = i32(firstTrailingBit(select(bits.y, bits.x, low)));

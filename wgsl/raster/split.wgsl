@@ -21,22 +21,31 @@ const WORDS: u32 = 1u;
 #end
 
 fn draw(s: Speck, id: u32) {
-    let from_first = s.last - s.first;
-    let corner = u32(s.first.y) * lens.width + u32(s.first.x);
-    for (var by = 0; by <= from_first.y; by += 8) {
-        for (var bx = 0; bx <= from_first.x; bx += 8) {
-            var bits = covered(s, vec2i(bx, by));
-            while ((bits.x | bits.y) != 0u) {
-                let here = first_of(bits) + vec2i(bx, by);
-                bits = rest_of(bits);
-                let pixel = corner + u32(here.y) * lens.width + u32(here.x);
+    let width = lens.width;
+    let words = lens.first + WORDS - 1u;
+    let corner = u32(s.first.y) * width + u32(s.first.x);
+    var block = vec2i(0);
+    loop {
+        var bits = covered(s, block);
+        loop {
+            if ((bits.x | bits.y) != 0u) {
+                let here = first_of(bits) + block;
+                let pixel = corner + u32(here.y) * width + u32(here.x);
                 let near = nearness(s.plan.depths, here.x, here.y);
 #if wide
                 atomicMax(&image[pixel], (u64(near) << 32u) | u64(NONE - id));
 #else
-                atomicMax(&image[lens.first + pixel * WORDS + (WORDS - 1u)], near);
+                atomicMax(&image[words + pixel * WORDS], near);
 #end
             }
+            bits = rest_of(bits);
+            continuing {
+                break if (bits.x | bits.y) == 0u;
+            }
+        }
+        block = after(s, block);
+        continuing {
+            break if block.y > s.last.y - s.first.y;
         }
     }
 }
@@ -48,19 +57,15 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = (group.y * groups.x + group.x) * GROUP + lane;
-    if (i < part.faces) {
-        let s = speck(i);
-        if (s.kind == SMALL) {
-            draw(s, part.first + i);
-        }
-        if (s.kind >= LATE) {
-            // Whole ones from the list's front, torn ones from its end. What finds no room is counted all the same: the host
-            // makes room and starts again.
-            let place = atomicAdd(&tally.late[s.kind - LATE], 1u);
-            let at = select(place, arrayLength(&late) - 1u - place, s.kind == TORN);
-            if (at < arrayLength(&late)) {
-                late[at] = part.first + i;
-            }
+    let s = speck(i);
+    draw(s, part.first + i);
+    if (s.kind >= LATE) {
+        // Whole ones from the list's front, torn ones from its end. What finds no room is counted all the same: the host
+        // makes room and starts again.
+        let place = atomicAdd(&tally.late[s.kind - LATE], 1u);
+        let at = select(place, arrayLength(&late) - 1u - place, s.kind == TORN);
+        if (at < arrayLength(&late)) {
+            late[at] = part.first + i;
         }
     }
 }
