@@ -87,7 +87,8 @@ struct Kernels {
     count: Kernel,
     scan: Kernel,
     fill: Kernel,
-    cover: [Kernel; 2],
+    /// Of images whose rows are read word by word, and of those that are read four at once.
+    cover: [[Kernel; 2]; 2],
     mark: Kernel,
     sift: Kernel,
     ground: Kernel,
@@ -144,6 +145,8 @@ impl<'a> GpuRaster<'a> {
     /// If a kernel's source is wrong, or the drawing does not fit the device, or the device has not what the variant needs.
     pub fn of(gpu: &'a Gpu, sources: &Sources, drawing: &Drawing, variant: Variant) -> Result<Self, Error> {
         let kernel = |name, eye| variant.kernel(gpu, sources, name, eye);
+        let by_four = sources.clone().for_what("fours");
+        let fours = |name, eye| variant.kernel(gpu, &by_four, name, eye);
         let kernels = Kernels {
             variant,
             sources: sources.clone(),
@@ -154,7 +157,10 @@ impl<'a> GpuRaster<'a> {
             count: kernel("count", false)?,
             scan: kernel("scan", false)?,
             fill: kernel("fill", false)?,
-            cover: [kernel("cover", false)?, kernel("cover", true)?],
+            cover: [
+                [kernel("cover", false)?, kernel("cover", true)?],
+                [fours("cover", false)?, fours("cover", true)?],
+            ],
             mark: kernel("mark", true)?,
             sift: kernel("sift", true)?,
             ground: kernel("ground", true)?,

@@ -101,7 +101,7 @@ pub(super) fn variants(gpu: &Gpu) -> [Variant; 5] {
         best,
         Variant::PORTABLE,
         Variant { wide: false, ..best },
-        Variant { subgroups: false, rows: 8, ..best },
+        Variant { subgroups: false, rows: 4, ..best },
         Variant { subgroups: true, rows: 1, ..Variant::PORTABLE },
     ]
 }

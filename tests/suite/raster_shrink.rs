@@ -92,7 +92,7 @@ fn a_planted_fault_shrinks_to_a_drawing_that_shows_it() {
     let faults = [
         ("raster/plan", "select(-1, 0, owned(a, b))", "0", 1),
         ("raster/clip", "meet(next, here, plane)", "meet(here, next, plane)", 1),
-        ("raster/pixels", "(near == old.near) & (vec2u(id) > old.id)", "(near == old.near)", 2),
+        ("raster/pixels", "(near == old.near) & (vec4u(id) > old.id)", "(near == old.near)", 2),
     ];
     for (file, right, wrong, faces) in faults {
         let text_of = Sources::default().get(file).expect("the file").into_owned();

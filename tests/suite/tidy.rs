@@ -30,13 +30,15 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
 }
 
 /// What kernels are for beside the usual.
-const VARIANTS: [(&str, &[&str]); 9] = [
+const VARIANTS: [(&str, &[&str]); 11] = [
     ("raster/split", &["eye"]),
     ("raster/split", &["eye", "wide"]),
     ("raster/cut", &["torn"]),
     ("raster/cover", &["eye"]),
     ("raster/cover", &["subgroups"]),
     ("raster/cover", &["eye", "subgroups"]),
+    ("raster/cover", &["fours"]),
+    ("raster/cover", &["eye", "fours"]),
     ("raster/lace", &["images"]),
     ("raster/shade", &["images"]),
     ("trace/follow", &["images"]),

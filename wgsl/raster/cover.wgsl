@@ -8,21 +8,7 @@
 @group(0) @binding(2) var<storage, read> starts: array<u32>;
 @group(0) @binding(3) var<storage, read> entries: array<u32>;
 @group(0) @binding(4) var<storage, read> busy: array<u32>;
-// Of a pixel: for an eye NONE less the id, and then the nearness.
-@group(0) @binding(5) var<storage, read_write> image: array<u32>;
 @group(0) @binding(6) var<storage, read_write> tally: Tally;
-
-#if eye
-const WORDS: u32 = 2u;
-#else
-const WORDS: u32 = 1u;
-#end
-// Plans that are made at a time, one by each lane, and then drawn by all.
-#if subgroups
-const BATCH: u32 = $batch;
-#else
-const BATCH: u32 = LANES;
-#end
 
 fn plan_of(entry: u32, origin: vec2i) -> Plan {
     let piece = pieces[entries[entry]];
@@ -33,48 +19,23 @@ fn id_of(entry: u32) -> u32 {
     return NONE - pieces[entries[entry]].id;
 }
 
-// The words of a pixel, if it is on the film.
-fn word_at(pixel: vec2u) -> u32 {
-    return select(NONE, lens.first + (pixel.y * lens.width + pixel.x) * WORDS, all(pixel < vec2u(lens.width, lens.height)));
-}
-
-fn load(at: u32) -> vec2u {
-    if (at == NONE) {
-        return vec2u(0u);
-    }
-#if eye
-    return vec2u(image[at + 1u], image[at]);
-#else
-    return vec2u(image[at], 0u);
-#end
-}
-
-fn store(at: u32, near: u32, id: u32) {
-    if (at != NONE) {
-#if eye
-        image[at] = id;
-        image[at + 1u] = near;
-#else
-        image[at] = near;
-#end
-    }
-}
-
-fn load_pair(pixel: vec2u) -> Pair {
-    let p = load(word_at(pixel));
-    let q = load(word_at(pixel + vec2u(1u, 0u)));
-    return Pair(vec2u(p.x, q.x), vec2u(p.y, q.y));
-}
-
-fn store_pair(pixel: vec2u, pair: Pair) {
-    store(word_at(pixel), pair.near.x, pair.id.x);
-    store(word_at(pixel + vec2u(1u, 0u)), pair.near.y, pair.id.y);
-}
-
 #if subgroups
+// What a lane of the subgroup has planned.
+fn depths_of_seat(d: Depths, k: u32) -> Depths {
+    return Depths(
+        subgroupShuffle(d.zx, k), subgroupShuffle(d.zy, k), subgroupShuffle(d.z, k),
+        subgroupShuffle(d.low, k), subgroupShuffle(d.high, k), subgroupShuffle(d.most, k),
+    );
+}
+
+fn plan_of_seat(p: Plan, k: u32) -> Plan {
+    return Plan(
+        subgroupShuffle(p.a, k), subgroupShuffle(p.b, k), subgroupShuffle(p.e, k), depths_of_seat(p.depths, k),
+    );
+}
 #else
-var<workgroup> plans: array<Plan, BATCH>;
-var<workgroup> ids: array<u32, BATCH>;
+var<workgroup> plans: array<Plan, LANES>;
+var<workgroup> ids: array<u32, LANES>;
 #end
 
 // One workgroup owns a tile, and each lane some of its pixels: nobody else writes them.
@@ -85,6 +46,7 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 #if subgroups
     @builtin(subgroup_invocation_id) seat: u32,
+    @builtin(subgroup_size) seats: u32,
 #end
 ) {
     // The last row of workgroups may be longer than there are tiles: what they then draw again stays what it is.
@@ -92,7 +54,7 @@ fn main(
     let tile_number = min(busy[number], arrayLength(&starts) / 2u - 1u);
     let tile = vec2u(tile_number % lens.columns, tile_number / lens.columns);
     let origin = vec2i(tile * TILE);
-    let here = vec2i(vec2u(lane % 8u * 2u, lane / 8u));
+    let here = vec2i(vec2u(lane % 4u * 4u, lane / 4u));
     let pixel = tile * TILE + vec2u(here);
     let limit = arrayLength(&entries);
     let begin = starts[2u * tile_number];
@@ -106,47 +68,59 @@ fn main(
 
     var px: Pixels;
 #repeat rows
-    px.row_$i = load_pair(pixel + vec2u(0u, $iu * u32(STRIDE)));
+    px.row_$i = load_quad(pixel + vec2u(0u, $iu * u32(STRIDE)));
 #end
 #if subgroups
-    for (var batch = whole_first; batch < whole_last; batch += BATCH) {
-        // The last ones may be drawn more than once, which shows nowhere.
-        let entry = min(batch + seat % BATCH, whole_last - 1u);
-        let d = plan_of(entry, origin).depths;
-        let id = id_of(entry);
-#repeat batch
-        put_whole(
-            &px, here,
-            Depths(
-                subgroupBroadcast(d.zx, $iu), subgroupBroadcast(d.zy, $iu), subgroupBroadcast(d.z, $iu),
-                subgroupBroadcast(d.low, $iu), subgroupBroadcast(d.high, $iu), subgroupBroadcast(d.most, $iu),
-            ),
-            subgroupBroadcast(id, $iu),
-        );
-#end
+    // Plans are made at a time, one by each lane, and then drawn by all. A plan of nothing is never nearer, so that each
+    // loop may end at its end: lavapipe runs its body once more after a break at its head.
+    let size = min(seats, LANES);
+    var batch = whole_first;
+    loop {
+        var d: Depths;
+        var id = 0u;
+        if (batch + seat < whole_last) {
+            d = plan_of(batch + seat, origin).depths;
+            id = id_of(batch + seat);
+        }
+        let next = min(batch + size, whole_last);
+        var k = 0u;
+        loop {
+            put_whole(&px, here, depths_of_seat(d, k), subgroupShuffle(id, k));
+            k++;
+            continuing {
+                break if batch + k >= next;
+            }
+        }
+        batch = next;
+        continuing {
+            break if batch >= whole_last;
+        }
     }
-    for (var batch = some_first; batch < some_last; batch += BATCH) {
-        let entry = min(batch + seat % BATCH, some_last - 1u);
-        let p = plan_of(entry, origin);
-        let d = p.depths;
-        let id = id_of(entry);
-#repeat batch
-        put_some(
-            &px, here,
-            Plan(
-                subgroupBroadcast(p.a, $iu), subgroupBroadcast(p.b, $iu), subgroupBroadcast(p.e, $iu),
-                Depths(
-                    subgroupBroadcast(d.zx, $iu), subgroupBroadcast(d.zy, $iu), subgroupBroadcast(d.z, $iu),
-                    subgroupBroadcast(d.low, $iu), subgroupBroadcast(d.high, $iu), subgroupBroadcast(d.most, $iu),
-                ),
-            ),
-            subgroupBroadcast(id, $iu),
-        );
-#end
+    batch = some_first;
+    loop {
+        var p: Plan;
+        var id = 0u;
+        if (batch + seat < some_last) {
+            p = plan_of(batch + seat, origin);
+            id = id_of(batch + seat);
+        }
+        let next = min(batch + size, some_last);
+        var k = 0u;
+        loop {
+            put_some(&px, here, plan_of_seat(p, k), subgroupShuffle(id, k));
+            k++;
+            continuing {
+                break if batch + k >= next;
+            }
+        }
+        batch = next;
+        continuing {
+            break if batch >= some_last;
+        }
     }
 #else
-    for (var batch = whole_first; batch < whole_last; batch += BATCH) {
-        let full = min(BATCH, whole_last - batch);
+    for (var batch = whole_first; batch < whole_last; batch += LANES) {
+        let full = min(LANES, whole_last - batch);
         if (lane < full) {
             plans[lane] = plan_of(batch + lane, origin);
             ids[lane] = id_of(batch + lane);
@@ -157,8 +131,8 @@ fn main(
         }
         workgroupBarrier();
     }
-    for (var batch = some_first; batch < some_last; batch += BATCH) {
-        let full = min(BATCH, some_last - batch);
+    for (var batch = some_first; batch < some_last; batch += LANES) {
+        let full = min(LANES, some_last - batch);
         if (lane < full) {
             plans[lane] = plan_of(batch + lane, origin);
             ids[lane] = id_of(batch + lane);
@@ -171,7 +145,7 @@ fn main(
     }
 #end
 #repeat rows
-    store_pair(pixel + vec2u(0u, $iu * u32(STRIDE)), px.row_$i);
+    store_quad(pixel + vec2u(0u, $iu * u32(STRIDE)), px.row_$i);
 #end
     if (lane == 0u) {
         atomicAdd(&tally.groups, 1u);

@@ -125,18 +125,21 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
-    fn cover(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+    fn cover(&mut self, lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
+        // Rows that all begin with the first of four pixels are read and written four at once.
+        let fours = (lens.width | lens.first).is_multiple_of(4);
         self.record(|this, encoder| {
+            let words = Binding::new("image", &image.words);
             let bindings = [
                 Binding::new("lens", &this.lens),
                 Binding::new("pieces", &this.pieces),
                 Binding::new("starts", &this.starts),
                 Binding::new("entries", &this.entries),
                 Binding::new("busy", &this.busy),
-                Binding::new("image", &image.words),
+                if fours { words.of_bytes(16) } else { words },
                 Binding::new("tally", &this.tally),
             ];
-            let cover = &this.kernels.cover[usize::from(image.eye)];
+            let cover = &this.kernels.cover[usize::from(fours)][usize::from(image.eye)];
             cover.dispatch_called(this.gpu, encoder, &bindings, &this.calls, COVER)
         })
     }

@@ -14,16 +14,16 @@ pub struct Variant {
     pub subgroups: bool,
     /// Its divisions are rounded as Rust's are; else what hangs on one is put right by its exact rest.
     pub divides: bool,
-    /// Rows of a tile that a lane has two pixels of: 2 is 64 lanes a tile, 16 is 8.
+    /// Rows of a tile that a lane has four pixels of: 1 is 64 lanes a tile, 8 is 8.
     pub rows: u32,
 }
 
-/// Plans that a subgroup shares at a time: no subgroup is smaller.
-const BATCH: u32 = 4;
+/// Lanes of a subgroup, at least, that are worth handing plans around in.
+const LEAST_SEATS: u32 = 4;
 
 impl Variant {
     /// What runs on every adapter.
-    pub const PORTABLE: Self = Self { wide: false, subgroups: false, divides: false, rows: 2 };
+    pub const PORTABLE: Self = Self { wide: false, subgroups: false, divides: false, rows: 1 };
 
     /// The fastest that the adapter has.
     #[must_use]
@@ -31,11 +31,11 @@ impl Variant {
         let has = |features| gpu.device().features().contains(features);
         Self {
             wide: has(wgpu::Features::SHADER_INT64 | wgpu::Features::SHADER_INT64_ATOMIC_MIN_MAX),
-            subgroups: has(wgpu::Features::SUBGROUP) && gpu.subgroup() >= BATCH,
+            subgroups: has(wgpu::Features::SUBGROUP) && gpu.subgroup() >= LEAST_SEATS,
             // WGSL lets a division be off by 2.5 units of the last place.
             divides: gpu.exact(),
             // A software adapter's subgroup is all that it does at once; a GPU wants some of them in flight.
-            rows: if gpu.software() { 16 } else { 2 },
+            rows: if gpu.software() { 8 } else { 1 },
         }
     }
 
@@ -66,8 +66,7 @@ impl Variant {
     }
 
     fn sources(self, sources: &Sources) -> Sources {
-        let sources =
-            sources.clone().with_count("rows", self.rows).with_count("batch", BATCH).with_count("columns", 8);
+        let sources = sources.clone().with_count("rows", self.rows).with_count("columns", 8);
         let sources = if self.divides { sources.for_what("divides") } else { sources };
         if self.subgroups { sources.for_what("subgroups") } else { sources }
     }
