@@ -3,6 +3,7 @@
 mod good;
 pub mod live;
 mod room;
+mod tables;
 mod work;
 
 pub use good::Good;

@@ -10,13 +10,17 @@
 mod bins;
 mod grow;
 mod halves;
+mod kept;
 mod pack;
 mod sides;
+mod sound;
 mod split;
 
 pub use grow::Binned;
 pub use halves::Halves;
+pub use kept::{Kept, LEAST_KEPT};
 
+use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
 
 use crate::tables::Node;
@@ -24,7 +28,8 @@ use crate::tables::Node;
 /// The smallest box around something, whose sides are those of the world.
 ///
 /// The fourth parts count for nothing: with them, three sides are one SIMD register.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 pub struct Bounds {
     /// The lower corner.
     pub low: Vec4,

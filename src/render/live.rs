@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use super::Error;
 use super::room::within;
+use super::tables::tables;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, Screen};
 use crate::scene::{Method, Reach, Scene};
@@ -62,6 +63,7 @@ pub struct Live<'g> {
     gpu: &'g Gpu,
     wish: Wish,
     kind: Kind<'g>,
+    notes: Vec<String>,
 }
 
 #[derive(Debug)]
@@ -77,11 +79,22 @@ impl<'g> Live<'g> {
     /// If there is no memory for it, or the GPU cannot do it.
     pub fn new(gpu: &'g Gpu, sources: &Sources, wish: Wish, reach: &Reach) -> Result<Self, Error> {
         within(&wish.scene, wish.method, reach)?;
+        let mut notes = Vec::new();
         let kind = match wish.method {
             Method::Raster => Kind::Drawn(Box::new(Drawn::new(gpu, sources, &wish)?)),
-            Method::Trace => Kind::Traced(Box::new(Traced::new(gpu, sources, &wish)?)),
+            Method::Trace => {
+                let (tables, more) = tables(&wish.scene, reach);
+                notes = more;
+                Kind::Traced(Box::new(Traced::new(gpu, sources, &wish, tables)?))
+            }
         };
-        Ok(Self { gpu, wish, kind })
+        Ok(Self { gpu, wish, kind, notes })
+    }
+
+    /// What was wrong on the way, a sentence each.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Turns to another wish, if that can be had without making everything ready anew.

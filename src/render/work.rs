@@ -5,6 +5,7 @@ mod layers;
 use std::ops::{ControlFlow, Range};
 
 use super::room::{models, within};
+use super::tables::tables;
 use super::{Error, Good};
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
@@ -12,7 +13,7 @@ use crate::film::ledger::Subject;
 use crate::film::{Band, Transfer, Watch};
 use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
-use crate::prepare::{draw, prepare};
+use crate::prepare::draw;
 use crate::raster;
 use crate::scene::{Method, Reach, Scene};
 use crate::tables::{Drawing, MOST_LENSES, NONE, Tables};
@@ -69,7 +70,8 @@ impl Work {
         let [width, height] = scene.film.size;
         let kind = match method {
             Method::Trace => {
-                let tables = prepare(scene);
+                let (tables, more) = tables(scene, reach);
+                notes.extend(more);
                 let samples = 0..tables.samples;
                 Kind::Traced(Box::new(tables), samples)
             }

@@ -27,7 +27,7 @@ const MOST_BYTES: u64 = 64 << 20;
 /// What a text is called that the command line sets.
 pub(super) const SET: &str = "--set";
 
-/// What a scene may read and take.
+/// What a scene may read and take, and where what is made of it may be kept.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Reach {
     /// Folders beside the scene's own in which its models and pictures may lie.
@@ -35,6 +35,8 @@ pub struct Reach {
     /// Bytes of memory for the film, for all faces, and for each model; without it 60 % of this machine's, and at most
     /// 8 GiB for a model.
     pub memory: Option<u64>,
+    /// A folder in which the ray tracer's trees are kept for the next time; without it they are built each time.
+    pub cache: Option<PathBuf>,
 }
 
 impl Reach {

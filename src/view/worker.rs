@@ -48,6 +48,8 @@ pub struct Report {
     pub times: Vec<StageTime>,
     /// What the lights see.
     pub lights: Arc<Vec<LightMap>>,
+    /// What was wrong on the way to the last picture, a sentence each.
+    pub notes: Vec<String>,
     /// Why there is no picture of the last wish.
     pub error: Option<String>,
     /// Whether it is at work.
@@ -193,6 +195,7 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
             report.pictures += 1;
             report.took = last.elapsed();
             report.error = None;
+            report.notes = live.notes().to_vec();
             report.times = times;
             if let Some(lights) = lights {
                 report.lights = Arc::new(lights);

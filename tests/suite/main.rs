@@ -22,6 +22,7 @@ mod fuzz;
 mod golden;
 mod hostile;
 mod instances;
+mod kept;
 mod layout;
 mod loops;
 mod maps;

@@ -51,7 +51,10 @@ impl Call<'_> {
         if good != Good::default() && self.arguments.job.samples.is_none() {
             scene.trace.samples = MOST_SAMPLES;
         }
-        let work = Work::within(&scene, method, &self.arguments.job.input.reach())?;
+        let Arguments { job, keep, dry_run, .. } = self.arguments;
+        // What only says what would be made keeps nothing.
+        let reach = if *dry_run { job.input.reach() } else { keep.reach(&job.input) };
+        let work = Work::within(&scene, method, &reach)?;
         let work = work.until(good)?.having(&self.arguments.passes)?;
         let work = match &self.arguments.crop {
             Some([columns, rows]) => work.crop(columns.clone(), rows.clone())?,

@@ -7,10 +7,10 @@ use std::process::ExitCode;
 use twinlight::film::compare::{Comparison, Standard, compare, side_by_side};
 use twinlight::film::{Format, write_whole};
 use twinlight::gpu::Gpu;
-use twinlight::render::{Backend, Renderer};
+use twinlight::render::{Backend, Renderer, Work};
 use twinlight::scene::{Behavior, Scene};
 
-use crate::job::{Failure, Job, say};
+use crate::job::{Failure, Job, Keep, say};
 use crate::progress::bar;
 
 #[derive(Debug, clap::Args)]
@@ -19,6 +19,8 @@ pub(crate) struct Arguments {
     scene: PathBuf,
     #[command(flatten)]
     job: Job,
+    #[command(flatten)]
+    keep: Keep,
     /// The picture `cpu | gpu | difference` [default: the scene's name and -compare.png, in the current folder].
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -39,12 +41,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let standard = on_gpu.gpu().map_or(Standard::Exact, |gpu| standard(gpu, &scene));
     let mut on_cpu = Renderer::open(Backend::Cpu, &arguments.job.wanted())?;
 
+    let work = Work::within(&scene, method, &arguments.keep.reach(&arguments.job.input))?;
     let mut films = Vec::new();
     for (renderer, what) in [(&mut on_cpu, "CPU"), (&mut on_gpu, "GPU")] {
         let bar = bar(what);
-        let rendered = renderer.render(&scene, method, &mut |done: f64| bar.set_position((done * 1000.0) as u64));
+        let rendered = renderer.make(&work, &mut |done: f64| bar.set_position((done * 1000.0) as u64));
         bar.finish_and_clear();
         let rendered = rendered?;
+        if films.is_empty() {
+            rendered.notes.iter().for_each(|note| eprintln!("note: {note}"));
+        }
         eprintln!("{what}: {:.2} s on {}", rendered.took.as_secs_f64(), rendered.by);
         films.push(rendered.film);
     }

@@ -31,7 +31,28 @@ impl Input {
     }
 
     pub(crate) fn reach(&self) -> Reach {
-        Reach { search: self.search.clone(), memory: self.max_memory }
+        Reach { search: self.search.clone(), memory: self.max_memory, cache: None }
+    }
+}
+
+/// Where what takes long is kept.
+#[derive(Debug, Clone, clap::Args)]
+pub(crate) struct Keep {
+    /// A folder in which the ray tracer's trees over large models are kept, so that they are built once; it may be
+    /// shared, and emptied at any time. No picture depends on it.
+    #[arg(long, value_name = "FOLDER")]
+    cache: Option<PathBuf>,
+}
+
+impl Keep {
+    pub(crate) fn reach(&self, input: &Input) -> Reach {
+        Reach { cache: self.cache.clone(), ..input.reach() }
+    }
+
+    #[cfg(feature = "viewer")]
+    pub(crate) fn as_arguments(&self) -> Vec<String> {
+        let folder = self.cache.iter().map(|folder| folder.to_string_lossy().into_owned());
+        folder.flat_map(|folder| ["--cache".to_owned(), folder]).collect()
     }
 }
 

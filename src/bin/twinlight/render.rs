@@ -10,7 +10,7 @@ use twinlight::render::Backend;
 
 use crate::call::Call;
 use crate::frames::{Frames, frames};
-use crate::job::{Failure, Job};
+use crate::job::{Failure, Job, Keep};
 use crate::plan::{Names, plan};
 use crate::progress;
 use crate::stop::{Stop, time};
@@ -22,6 +22,8 @@ pub(crate) struct Arguments {
     scenes: Vec<PathBuf>,
     #[command(flatten)]
     pub(crate) job: Job,
+    #[command(flatten)]
+    pub(crate) keep: Keep,
     /// The picture: .png, .exr (linear, in full precision), .tga or .ppm, `-` for a PNG on stdout, or a folder. {scene} and {frame:4} or #### stand for
     /// the scene's name and the frame's number; several frames in one .png become an animated picture [default:
     /// {scene}.png, or {scene}-{frame:4}.png].
@@ -55,7 +57,7 @@ pub(crate) struct Arguments {
     pub(crate) again: bool,
     /// Say what would be made, and make nothing.
     #[arg(long)]
-    dry_run: bool,
+    pub(crate) dry_run: bool,
     /// Print an object of JSON for each picture: file, scene, frames, size, method, backend, seconds, samples, inputs (what it is
     /// known by), hash (BLAKE3 of the file), notes, made; in a dry run, whether it is there.
     #[arg(long)]

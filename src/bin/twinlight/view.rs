@@ -32,7 +32,7 @@ use std::process::ExitCode;
 
 use twinlight::render::live::Side;
 
-use crate::job::{Failure, Job};
+use crate::job::{Failure, Job, Keep};
 
 #[derive(Debug, Clone, clap::Args)]
 pub(crate) struct Arguments {
@@ -40,6 +40,8 @@ pub(crate) struct Arguments {
     pub(crate) scene: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) job: Job,
+    #[command(flatten)]
+    pub(crate) keep: Keep,
     /// Who renders: a key changes it.
     #[arg(long, default_value = "gpu", overrides_with = "backend")]
     pub(crate) backend: Side,
@@ -52,6 +54,13 @@ pub(crate) struct Arguments {
     /// How often the window before this one has lost its device.
     #[arg(long, value_name = "N", default_value_t = 0, hide = true)]
     pub(crate) losses: u32,
+}
+
+#[cfg(feature = "viewer")]
+impl Arguments {
+    fn reach(&self) -> twinlight::scene::Reach {
+        self.keep.reach(&self.job.input)
+    }
 }
 
 #[cfg(feature = "viewer")]

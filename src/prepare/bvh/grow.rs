@@ -18,7 +18,8 @@ impl Builder for Binned {
     fn build(&self, boxes: Vec<Bounds>) -> Tree {
         let mut items: Vec<Item> = boxes.into_iter().zip(0..).map(|(b, i)| Item::new(b, i)).collect();
         let whole = Part::new(&items, 0..items.len());
-        let bounds = whole.bounds;
+        // Without a number in it.
+        let bounds = Bounds { low: whole.bounds.low.truncate().extend(0.0), ..whole.bounds };
         let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0) };
         Tree { nodes: grown.nodes, order: grown.order, deep: grown.deep, bounds }
     }

@@ -9,7 +9,7 @@ use crate::cpu::trace::CpuTrace;
 use crate::cpu::{CpuSums, Wides};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuPaths, GpuSums, GpuTrace, Screen};
-use crate::prepare::{prepare, view};
+use crate::prepare::view;
 use crate::scene::{Scene, Show};
 use crate::tables::{Print, Tables};
 use crate::trace::Paths;
@@ -41,8 +41,7 @@ enum On<'g> {
 }
 
 impl<'g> Traced<'g> {
-    pub(super) fn new(gpu: &'g Gpu, sources: &Sources, wish: &Wish) -> Result<Self, Error> {
-        let tables = prepare(&wish.scene);
+    pub(super) fn new(gpu: &'g Gpu, sources: &Sources, wish: &Wish, tables: Tables) -> Result<Self, Error> {
         let on = match wish.side {
             Side::Gpu => On::Gpu(Box::new(GpuTrace::new(gpu, sources, &tables)?.in_slices_of(PORTION)), None),
             Side::Cpu => On::Cpu(Arc::new(Wides::new(&tables)), None),

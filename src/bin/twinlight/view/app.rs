@@ -209,8 +209,7 @@ impl App {
                 self.say(done);
             }
             Command::Render if self.full.is_none() => {
-                let job = &self.arguments.job;
-                self.full = Some(Full::new(ctx, desk, job.wanted(), job.input.reach()));
+                self.full = Some(Full::new(ctx, desk, self.arguments.job.wanted(), self.arguments.reach()));
             }
             command => {
                 desk.obey(command);
@@ -229,14 +228,15 @@ impl App {
         let mut left = self.left.lock().unwrap_or_else(PoisonError::into_inner);
         let desk = self.desk.take().and_then(|desk| desk.words(&[]).ok());
         let mut words = desk.or_else(|| Some(vec![self.arguments.scene.as_ref()?.to_string_lossy().into_owned()]));
-        words.get_or_insert_default().extend(self.arguments.job.about_machine());
+        let machine = [self.arguments.job.about_machine(), self.arguments.keep.as_arguments()];
+        words.get_or_insert_default().extend(machine.concat());
         *left = left.take().or(words);
     }
 
     /// Asks for the picture as it is to be now.
     pub(super) fn ask(&mut self) {
         let Some(desk) = &self.desk else { return };
-        let reach = self.arguments.job.input.reach();
+        let reach = self.arguments.reach();
         let order =
             Order { wish: desk.wish(self.room), sources: Arc::clone(&self.sources), reach, inside: self.inside };
         if let Some(compared) = &self.compared {

@@ -19,7 +19,7 @@ impl App {
     /// Reads a scene beside the window.
     pub(super) fn load(&mut self, ctx: &egui::Context, path: PathBuf, edits: Vec<(String, String)>, again: bool) {
         let (tell, told) = channel();
-        let (reach, ctx) = (self.arguments.job.input.reach(), ctx.clone());
+        let (reach, ctx) = (self.arguments.reach(), ctx.clone());
         std::thread::spawn(move || {
             let read = Desk::open(&path, &edits, &reach).map_err(|error| error.to_string());
             // The window may be gone.
@@ -83,7 +83,11 @@ impl App {
             self.full = None;
             self.say(end);
         }
-        self.report = self.worker.report();
+        let report = self.worker.report();
+        if report.notes != self.report.notes {
+            report.notes.iter().for_each(|note| eprintln!("note: {note}"));
+        }
+        self.report = report;
         self.picture.take(&self.state, self.report.screen.clone());
         self.lights.take(ctx, &self.report.lights);
         if let Some(compared) = &mut self.compared {
