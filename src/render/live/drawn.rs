@@ -78,6 +78,10 @@ impl<'g> Drawn<'g> {
         if tiles(was) != tiles(is) {
             return Ok(false);
         }
+        // A movement that begins tries a finer film again: the machine may have had something else to do.
+        if new.moving && !self.moving {
+            self.coarse = (self.coarse / 2).max(1);
+        }
         let coarse = if new.moving { self.coarse } else { 1 };
         let size = is.film.size.map(|side| side.div_ceil(coarse));
         self.moving = new.moving;
