@@ -91,6 +91,12 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     tables
 }
 
+/// Puts the lights and the background of a scene into the tables of another, which has the same things and as many lights.
+pub fn relight(tables: &mut Tables, scene: &Scene) {
+    tables.settings.background = scene.film.background;
+    tables.lights = scene.lights.iter().map(lamp).collect();
+}
+
 /// The film plane at distance one from the eye (spec 1.2.1 and 2.2).
 #[must_use]
 pub fn view(scene: &Scene) -> View {

@@ -6,7 +6,7 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Gpu, Screen, Wanted};
 use twinlight::render::live::{Live, Side, Wish};
 use twinlight::render::{Backend, Renderer};
-use twinlight::scene::{Method, Reach, Scene};
+use twinlight::scene::{Light, Method, Reach, Scene};
 use twinlight::view::desk::{Desk, Hand};
 use twinlight::view::keys::Command;
 
@@ -78,6 +78,24 @@ fn a_kept_scene_is_as_good_as_a_new_one() {
             assert!(got == words(&wish.scene, method), "{name} {method:?} on the {side:?}");
             desk.obey(Command::SwitchSide);
             assert!(!live.aim(&desk.wish([61.0, 47.0])).expect("an order"), "another backend is another matter");
+        }
+    }
+}
+
+#[test]
+fn other_lights_and_another_background_are_taken_up() {
+    let gpu = gpu();
+    for (name, method) in [("room", Method::Trace), ("bust", Method::Trace), ("bust", Method::Raster)] {
+        for side in [Side::Gpu, Side::Cpu] {
+            let mut wish = Wish { method, scene: small(name, [31, 23], 1), side, moving: false };
+            let mut live = open(&gpu, &wish);
+            last(&gpu, &mut live, [31, 23]);
+            wish.scene.film.background = glam::Vec3::new(0.1, 0.4, 0.2);
+            let first = wish.scene.lights.first_mut().expect("a light");
+            *first = Light::Point { position: glam::Vec3::new(1.0, 2.0, 2.5), power: glam::Vec3::new(0.3, 0.9, 0.4) };
+            assert!(live.aim(&wish).expect("a wish"), "{name} is made ready anew");
+            let got = last(&gpu, &mut live, [31, 23]);
+            assert!(got == words(&wish.scene, method), "{name} {method:?} on the {side:?}");
         }
     }
 }

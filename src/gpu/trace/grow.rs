@@ -7,7 +7,7 @@ use super::{GpuPaths, GpuTrace};
 use crate::film::Run;
 use crate::gpu::pace::Pace;
 use crate::gpu::{Binding, Buffer, Error};
-use crate::tables::{Slice, View};
+use crate::tables::{Slice, Tables, View};
 use crate::trace::grow::Grow;
 use crate::trace::{BLOCK, Trace as _};
 
@@ -24,6 +24,13 @@ impl GpuTrace<'_> {
     /// Takes up another view of the same scene.
     pub fn aim(&mut self, view: &View) {
         self.gpu.write(&self.view, &[*view]);
+    }
+
+    /// Takes up other lights, as many as there were, and another background.
+    pub fn relight(&mut self, tables: &Tables) {
+        self.gpu.write(&self.settings, &[tables.settings]);
+        self.gpu.write(&self.lights, &tables.lights);
+        self.gpu.write(&self.scene, &[tables.scene()]);
     }
 
     /// Work in slices of at most so long: who waits for a window waits for them.

@@ -9,7 +9,7 @@ use crate::cpu::trace::CpuTrace;
 use crate::cpu::{CpuSums, Wides};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuPaths, GpuSums, GpuTrace, Screen};
-use crate::prepare::view;
+use crate::prepare::{relight, view};
 use crate::scene::{Scene, Show};
 use crate::tables::{Print, Tables};
 use crate::trace::Paths;
@@ -59,6 +59,12 @@ impl<'g> Traced<'g> {
         }
         if !sees_the_same(was, is) {
             return Ok(false);
+        }
+        if was.lights != is.lights || was.film.background != is.film.background {
+            relight(&mut self.tables, is);
+            if let On::Gpu(stages, _) = &mut self.on {
+                stages.relight(&self.tables);
+            }
         }
         self.tables.view = view(is);
         self.tables.samples = is.trace.samples;
@@ -140,10 +146,11 @@ impl<'g> Traced<'g> {
     }
 }
 
-/// Whether all that differs is the eye, the film's size and the number of samples: what a ray meets is the same.
+/// Whether all that differs is the eye, the film's size and background, the number of samples, and what the lights are
+/// like: what a ray meets is the same.
 fn sees_the_same(a: &Scene, b: &Scene) -> bool {
     let mut film = a.film.clone();
-    film.size = b.film.size;
+    (film.size, film.background) = (b.film.size, b.film.background);
     let mut trace = a.trace.clone();
     trace.samples = b.trace.samples;
     let steps = |scene: &Scene| scene.raster.show == Show::Steps;
@@ -151,6 +158,6 @@ fn sees_the_same(a: &Scene, b: &Scene) -> bool {
         && film == b.film
         && trace == b.trace
         && a.materials == b.materials
-        && a.lights == b.lights
+        && a.lights.len() == b.lights.len()
         && a.planes == b.planes
 }
