@@ -85,7 +85,9 @@ impl Gpu {
         device.set_device_lost_callback(move |_, _| lost_too.store(true, Ordering::Release));
         let first = Arc::clone(&complaint);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
-            first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+            if !is_of_a_surface(&error) {
+                first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
+            }
         }));
         let meter = Meter::new(&device, &queue);
         Self { device, queue, adapter, lost, complaint, kernels: Mutex::default(), meter }
@@ -204,5 +206,28 @@ impl Gpu {
 
     fn encoder(&self) -> wgpu::CommandEncoder {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+    }
+}
+
+/// Whether an error is of a window's surface. It cannot be configured while kernels are submitted, which wgpu takes for
+/// an error; its painter does it again, and no kernel has anything to do with it.
+fn is_of_a_surface(error: &wgpu::Error) -> bool {
+    error.to_string().contains("In Surface::")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_of_a_surface;
+
+    #[test]
+    fn a_surface_is_not_a_kernels_business() {
+        let error = |description: &str| wgpu::Error::Validation {
+            source: Box::new(std::io::Error::other("why")),
+            description: description.to_owned(),
+        };
+        assert!(is_of_a_surface(&error(
+            "Validation Error\n\nCaused by:\n  In Surface::configure\n    Failed to wait"
+        )));
+        assert!(!is_of_a_surface(&error("Validation Error\n\nCaused by:\n  In Device::create_bind_group")));
     }
 }

@@ -92,7 +92,8 @@ fn other_lights_and_another_background_are_taken_up() {
             last(&gpu, &mut live, [31, 23]);
             wish.scene.film.background = glam::Vec3::new(0.1, 0.4, 0.2);
             let first = wish.scene.lights.first_mut().expect("a light");
-            *first = Light::Point { position: glam::Vec3::new(1.0, 2.0, 2.5), power: glam::Vec3::new(0.3, 0.9, 0.4) };
+            *first =
+                Light::Point { position: glam::Vec3::new(1.0, 2.0, 2.5), power: glam::Vec3::new(0.3, 0.9, 0.4) };
             assert!(live.aim(&wish).expect("a wish"), "{name} is made ready anew");
             let got = last(&gpu, &mut live, [31, 23]);
             assert!(got == words(&wish.scene, method), "{name} {method:?} on the {side:?}");
