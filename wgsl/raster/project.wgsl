@@ -5,7 +5,8 @@
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> part: Part;
-@group(0) @binding(2) var<storage, read_write> corners: array<Corner>;
+// A corner each, written at once.
+@group(0) @binding(2) var<storage, read_write> corners: array<vec4u>;
 
 @compute @workgroup_size(64)
 fn main(
@@ -17,7 +18,7 @@ fn main(
     // The lens is read outside of every branch: under one lavapipe reads uniforms lane by lane.
     let c = to_clip(vertex_at(min(i, part.vertices - 1u)).position);
     let code = outcode(c);
-    let corner = Corner(select(vec3i(0), snap(c), code == 0u), code);
+    let corner = vec4u(bitcast<vec3u>(select(vec3i(0), snap(c), code == 0u)), code);
     if (i < part.vertices) {
         corners[i] = corner;
     }

@@ -81,15 +81,17 @@ fn covered(s: Speck, block: vec2i) -> vec2u {
     let left = s.last - s.first - block;
     let columns = (2u << u32(min(left.x, 7))) - 1u;
     let last = min(left.y, 7);
+    // What each edge must be on a row's first pixel, that the row's pixel is within it.
+#repeat columns
+    let least_$i = s.plan.a * -$i;
+#end
     var y = 0;
     loop {
-        var e = row;
-        row += s.plan.b;
         var here = 0u;
 #repeat columns
-        here |= select(0u, 1u << $iu, (e.x | e.y | e.z) >= 0);
-        e += s.plan.a;
+        here |= select(0u, 1u << $iu, all(row >= least_$i));
 #end
+        row += s.plan.b;
         here = (here & columns) << u32((y & 3) * 8);
         bits |= select(vec2u(0u, here), vec2u(here, 0u), y < 4);
         y++;
