@@ -2,7 +2,6 @@
 //! specular maps, read bilinearly.
 
 use std::path::Path;
-use std::time::Instant;
 
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Gpu, GpuRaster, Variant};
@@ -12,7 +11,7 @@ use twinlight::scene::{Filter, Light};
 use twinlight::tables::{Drawing, NO_DEPTH};
 
 use super::full::Full;
-use super::{Make, TURNS, median, scenes};
+use super::{Clock, Make, TURNS, median, scenes};
 
 pub(crate) const SCENES: [(&str, Make); 2] = [("frame: the bust", bust), ("frame: 1 M of 2 px", sheet)];
 
@@ -43,7 +42,7 @@ fn sheet(size: [u32; 2]) -> Drawing {
 }
 
 /// Both ways in turns, and how many pixels have the same color.
-pub(crate) fn whole(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
+pub(crate) fn whole(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool, clock: Clock) {
     let (sun, eye) = (&drawing.lenses[0], &drawing.eyes[0]);
     let peer = Full::new(gpu, drawing);
     let best = Variant::of(gpu);
@@ -57,28 +56,28 @@ pub(crate) fn whole(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
         let mut image = ours.image(eye.pixels() as usize, true).expect("an image");
         let mut times = [Vec::new(), Vec::new()];
         for turn in 0..=TURNS {
-            let start = Instant::now();
+            let start = clock();
             peer.draw();
-            let theirs = start.elapsed();
-            let start = Instant::now();
+            let theirs = clock() - start;
+            let start = clock();
             ours.clear(&mut shadows).expect("clear");
             draw(&mut ours, sun, &mut shadows).expect("shadows");
-            let lit = start.elapsed();
+            let lit = clock() - start;
             ours.clear(&mut image).expect("clear");
             draw(&mut ours, eye, &mut image).expect("a drawing");
             ours.mark(eye, &mut image).expect("mark");
             ours.told().expect("marks");
-            let seen = start.elapsed();
+            let seen = clock() - start;
             ours.sift(eye, &image).expect("sift");
             ours.shade(eye, &image, &shadows).expect("shade");
             ours.ground(eye).expect("ground");
-            let took = start.elapsed();
+            let took = clock() - start;
             if turn > 0 {
                 times[0].push(theirs);
                 times[1].push(took);
             }
             if by_stage && turn == TURNS {
-                let [lit, seen, took] = [lit, seen, took].map(|at| at.as_secs_f64() * 1e3);
+                let [lit, seen, took] = [lit, seen, took].map(|at| at * 1e3);
                 println!("    shadows {lit:.1} ms, eye {:.1} ms, shade {:.1} ms", seen - lit, took - seen);
             }
         }

@@ -2,14 +2,18 @@
 //!
 //! `cargo bench --bench raster` prints, for each scene, the median of nine frames of both, from their submission to their
 //! end, and how many pixels agree (`-- "8 px"` for the scenes whose name has that in it; `-- --stages` for each stage's
-//! time, waited for one by one).
+//! time, waited for one by one; `-- --busy` to count the processor's time instead, which hardly hangs on what runs beside).
 
+#[path = "../bvh/clock.rs"]
+#[allow(dead_code, reason = "of threads alone it is asked elsewhere")]
+mod clock;
 mod frames;
 mod full;
 mod peer;
 mod scenes;
 
-use std::time::{Duration, Instant};
+use std::sync::LazyLock;
+use std::time::Instant;
 
 use peer::Peer;
 use twinlight::gpu::wgsl::Sources;
@@ -19,9 +23,18 @@ use twinlight::tables::{DEEP, Drawing, Lens, NO_DEPTH};
 
 const TURNS: usize = 9;
 
-fn median(mut times: Vec<Duration>) -> f64 {
-    times.sort();
-    times[times.len() / 2].as_secs_f64() * 1e3
+/// What tells how many seconds have gone by.
+type Clock = fn() -> f64;
+
+fn on_the_wall() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_secs_f64()
+}
+
+/// In ms.
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2] * 1e3
 }
 
 /// How many of the pixels have the same depth, as near as the peer's 24 bits tell.
@@ -32,15 +45,15 @@ fn alike(ours: &[u32], theirs: &[f32]) -> f64 {
 }
 
 /// Every stage by itself, in ms.
-fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage) -> Vec<(&'static str, f64)> {
+fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage, clock: Clock) -> Vec<(&'static str, f64)> {
     let mut times = Vec::new();
-    let mut lap = |ours: &mut GpuRaster<'_>, name, at: Instant| {
+    let mut lap = |ours: &mut GpuRaster<'_>, name, at: f64| {
         ours.told().expect(name);
-        times.push((name, at.elapsed().as_secs_f64() * 1e3));
-        Instant::now()
+        times.push((name, (clock() - at) * 1e3));
+        clock()
     };
     ours.told().expect("nothing");
-    let mut at = Instant::now();
+    let mut at = clock();
     ours.clear(image).expect("clear");
     at = lap(ours, "clear", at);
     ours.project(lens).expect("project");
@@ -60,7 +73,7 @@ fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage) -> Vec<(&
     times
 }
 
-fn depths_alone(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
+fn depths_alone(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool, clock: Clock) {
     let lens = &drawing.eyes[0];
     let peer = Peer::new(gpu, drawing);
     let mut variants = vec![("", Variant::of(gpu)), (", portable", Variant::PORTABLE)];
@@ -72,15 +85,15 @@ fn depths_alone(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
         let mut times = [Vec::new(), Vec::new()];
         // The first turn compiles, and finds out how much room there must be.
         for turn in 0..=TURNS {
-            let start = Instant::now();
+            let start = clock();
             peer.draw();
-            let theirs = start.elapsed();
-            let start = Instant::now();
+            let theirs = clock() - start;
+            let start = clock();
             ours.clear(&mut image).expect("clear");
             draw(&mut ours, lens, &mut image).expect("a drawing");
             if turn > 0 {
                 times[0].push(theirs);
-                times[1].push(start.elapsed());
+                times[1].push(clock() - start);
             }
         }
         let alike = alike(&ours.seen(&image).expect("depths").0, &peer.depths());
@@ -92,7 +105,7 @@ fn depths_alone(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool) {
             alike * 100.0
         );
         if by_stage {
-            for (stage, took) in stages(&mut ours, lens, &mut image) {
+            for (stage, took) in stages(&mut ours, lens, &mut image, clock) {
                 println!("    {stage:<8} {took:8.2} ms");
             }
         }
@@ -106,6 +119,8 @@ fn main() {
     let gpu = Gpu::open(&Wanted::Best).unwrap_or_else(|e| panic!("{e}"));
     let (flags, names): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|a| a.starts_with("--"));
     let by_stage = flags.iter().any(|flag| flag == "--stages");
+    let busy = flags.iter().any(|flag| flag == "--busy");
+    let clock: Clock = if busy { clock::process } else { on_the_wall };
     let size = [1920, 1080];
     let scenes: [(&str, Make); 6] = [
         ("1 M of 2 px", |size| scenes::sheets(size, [1000, 500], 1)),
@@ -117,18 +132,19 @@ fn main() {
     ];
     for (name, make) in frames::SCENES {
         if names.is_empty() || names.iter().any(|wanted| name.contains(wanted)) {
-            frames::whole(&gpu, name, &make(size), by_stage);
+            frames::whole(&gpu, name, &make(size), by_stage, clock);
         }
     }
     println!(
-        "{}, {} x {}, depth only: the peer, ours, how many times as fast",
+        "{}, {} x {}, depth only{}: the peer, ours, how many times as fast",
         gpu.adapter().name,
         size[0],
-        size[1]
+        size[1],
+        if busy { ", by the processor's time" } else { "" }
     );
     for (name, scene) in scenes {
         if names.is_empty() || names.iter().any(|wanted| name.contains(wanted)) {
-            depths_alone(&gpu, name, &scene(size), by_stage);
+            depths_alone(&gpu, name, &scene(size), by_stage, clock);
         }
     }
 }
