@@ -16,9 +16,11 @@ mod sides;
 mod sound;
 mod split;
 
-pub use grow::Binned;
+pub use grow::{Binned, Watched};
 pub use halves::Halves;
 pub use kept::{Kept, LEAST_KEPT};
+
+use std::ops::ControlFlow;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
@@ -86,6 +88,9 @@ pub struct Tree {
 
 /// The most primitives that a child of a node may have.
 pub const MOST_IN_LEAF: usize = 3;
+
+/// Hears, on any thread, what share of the boxes is in leaves, and may stop the work: what comes of it then is of no use.
+pub type Told<'a> = dyn Fn(f64) -> ControlFlow<()> + Sync + 'a;
 
 /// One way to build a tree.
 pub trait Builder {

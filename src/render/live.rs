@@ -8,6 +8,7 @@ mod drawn;
 mod lights;
 mod traced;
 
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::Error;
@@ -15,6 +16,7 @@ use super::room::within;
 use super::tables::tables;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, Screen};
+use crate::prepare::bvh::Told;
 use crate::scene::{Method, Reach, Scene};
 use drawn::Drawn;
 pub use lights::LightMap;
@@ -78,12 +80,26 @@ impl<'g> Live<'g> {
     /// # Errors
     /// If there is no memory for it, or the GPU cannot do it.
     pub fn new(gpu: &'g Gpu, sources: &Sources, wish: Wish, reach: &Reach) -> Result<Self, Error> {
+        Self::watched(gpu, sources, wish, reach, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same for who waits: `told` hears how much of the ray tracer's trees is built, of one after the other.
+    ///
+    /// # Errors
+    /// As [`Live::new`], and [`Error::Stopped`] if `told` wants no more of it.
+    pub fn watched(
+        gpu: &'g Gpu,
+        sources: &Sources,
+        wish: Wish,
+        reach: &Reach,
+        told: &Told<'_>,
+    ) -> Result<Self, Error> {
         within(&wish.scene, wish.method, reach)?;
         let mut notes = Vec::new();
         let kind = match wish.method {
             Method::Raster => Kind::Drawn(Box::new(Drawn::new(gpu, sources, &wish)?)),
             Method::Trace => {
-                let (tables, more) = tables(&wish.scene, reach);
+                let (tables, more) = tables(&wish.scene, reach, told)?;
                 notes = more;
                 Kind::Traced(Box::new(Traced::new(gpu, sources, &wish, tables)?))
             }

@@ -13,6 +13,7 @@ use crate::film::ledger::Subject;
 use crate::film::{Band, Transfer, Watch};
 use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
+use crate::prepare::bvh::Told;
 use crate::prepare::draw;
 use crate::raster;
 use crate::scene::{Method, Reach, Scene};
@@ -64,13 +65,21 @@ impl Work {
     /// # Errors
     /// As [`Work::new`].
     pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
+        Self::watched(scene, method, reach, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same for who waits: `told` hears how much of the ray tracer's trees is built, of one after the other.
+    ///
+    /// # Errors
+    /// As [`Work::new`], and [`Error::Stopped`] if `told` wants no more of it.
+    pub fn watched(scene: &Scene, method: Method, reach: &Reach, told: &Told<'_>) -> Result<Self, Error> {
         within(scene, method, reach)?;
         let warnings = models(scene).into_iter().flat_map(|model| &model.warnings);
         let mut notes: Vec<_> = warnings.map(ToString::to_string).collect();
         let [width, height] = scene.film.size;
         let kind = match method {
             Method::Trace => {
-                let (tables, more) = tables(scene, reach);
+                let (tables, more) = tables(scene, reach, told)?;
                 notes.extend(more);
                 let samples = 0..tables.samples;
                 Kind::Traced(Box::new(tables), samples)

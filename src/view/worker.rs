@@ -1,5 +1,6 @@
 //! a wish -> pictures of it, made beside the window in portions; a newer wish ends the work on an older one
 
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -52,6 +53,8 @@ pub struct Report {
     pub notes: Vec<String>,
     /// Why there is no picture of the last wish.
     pub error: Option<String>,
+    /// What share of a tree is built, while one is.
+    pub building: Option<f64>,
     /// Whether it is at work.
     pub busy: bool,
 }
@@ -82,7 +85,7 @@ pub struct Worker {
 }
 
 /// Called whenever there is something new to see.
-pub type Wake = Box<dyn Fn() + Send>;
+pub type Wake = Box<dyn Fn() + Send + Sync>;
 
 impl Worker {
     /// Begins to wait for orders.
@@ -134,6 +137,29 @@ fn next(shared: &Shared, idle: bool, order: &mut Option<Order>) -> bool {
     !desk.over
 }
 
+/// How often the share of a tree is shown.
+const EVERY: Duration = Duration::from_millis(100);
+
+/// Puts into the report how much of a wish's tree is built, until something else is wished for. That the eye moves
+/// meanwhile is no reason to begin again.
+fn telling(shared: &Shared, wake: &Wake, wish: &Wish) -> impl Fn(f64) -> ControlFlow<()> + Sync {
+    let shown = Mutex::new(Instant::now());
+    move |share| {
+        let mut desk = shared.desk();
+        desk.report.building = Some(share);
+        let other =
+            |order: &Order| order.wish.method != wish.method || !order.wish.scene.has_the_things_of(&wish.scene);
+        let over = desk.over || desk.order.as_ref().is_some_and(other);
+        drop(desk);
+        let mut shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+        if shown.elapsed() > EVERY {
+            *shown = Instant::now();
+            wake();
+        }
+        if over { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
 fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
     let mut live: Option<Live<'_>> = None;
     let mut sources = Arc::new(Sources::default());
@@ -169,7 +195,10 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
                         screen = None;
                     }
                     sources = order.sources;
-                    live = Some(Live::new(gpu, &sources, order.wish, &order.reach)?);
+                    let told = telling(shared, wake, &order.wish);
+                    let ready = Live::watched(gpu, &sources, order.wish.clone(), &order.reach, &told);
+                    shared.desk().report.building = None;
+                    live = Some(ready?);
                 } else if let Some(live) = live.as_mut().filter(|_| more) {
                     // What is told of is a picture's making.
                     lit = 0;
@@ -210,7 +239,10 @@ fn work(shared: &Shared, gpu: &Gpu, wake: &Wake) {
         })();
         if let Err(error) = stepped {
             live = None;
-            shared.desk().report.error = Some(error.to_string());
+            // Who stopped it has another order.
+            if !matches!(error, crate::render::Error::Stopped) {
+                shared.desk().report.error = Some(error.to_string());
+            }
             wake();
         }
     }

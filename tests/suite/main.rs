@@ -48,6 +48,7 @@ mod tidy;
 mod time;
 mod trace_lace;
 mod trace_maps;
+mod waiting;
 mod watertight;
 mod wrong;
 

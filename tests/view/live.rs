@@ -1,14 +1,19 @@
 //! The kept scene of the preview: what stands still at last is what a frame made at once is, to the bit.
 
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
 use twinlight::cpu::film::develop::develop;
 use twinlight::film::Transfer;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Gpu, Screen, Wanted};
+use twinlight::math::Vec3;
 use twinlight::render::live::{Live, Side, Wish};
 use twinlight::render::{Backend, Renderer};
-use twinlight::scene::{Light, Method, Reach, Scene};
+use twinlight::scene::{Light, Method, Reach, Scene, Triangle};
 use twinlight::view::desk::{Desk, Hand};
 use twinlight::view::keys::Command;
+use twinlight::view::worker::{Inside, Order, Report, Worker};
 
 use super::{gpu, root, small};
 
@@ -131,4 +136,55 @@ fn a_film_is_developed_alike() {
             assert!(by_kernel == screen.read(&gpu).expect("the picture"), "{transfer:?} {size:?}");
         }
     }
+}
+
+/// A wish for a floor of so many squares, of which each is two triangles.
+fn floor(side: u32) -> Wish {
+    let mut scene = small("pyramid", [31, 23], 1);
+    let corner = |x: u32, z: u32| Vec3::new(x as f32, 0.0, z as f32) / side as f32;
+    let square = |i: u32| {
+        let (x, z) = (i % side, i / side);
+        let [a, b, c, d] = [corner(x, z), corner(x + 1, z), corner(x + 1, z + 1), corner(x, z + 1)];
+        [[a, b, c], [a, c, d]].map(|vertices| Triangle { vertices, material: 0, uvs: Triangle::UVS })
+    };
+    scene.triangles = (0..side * side).flat_map(square).collect();
+    Wish { scene, method: Method::Trace, side: Side::Cpu, moving: false }
+}
+
+/// Asks again and again, as a hand does, until it has what it wants.
+fn until(worker: &Worker, mut next: impl FnMut() -> Option<Wish>, done: impl Fn(&Report) -> bool) -> Report {
+    let start = Instant::now();
+    let sources = Arc::new(Sources::default());
+    loop {
+        if let Some(wish) = next() {
+            let (sources, reach) = (Arc::clone(&sources), Reach::default());
+            worker.ask(Order { wish, sources, reach, inside: Inside::default() });
+        }
+        std::thread::sleep(Duration::from_millis(5));
+        let report = worker.report();
+        assert_eq!(report.error, None);
+        if done(&report) {
+            return report;
+        }
+        assert!(start.elapsed() < Duration::from_mins(2), "it never ends: {:?}", report.progress);
+    }
+}
+
+#[test]
+fn a_tree_in_the_making_gives_way_to_another_scene_and_not_to_another_eye() {
+    let gpu = Arc::new(Gpu::open(&Wanted::Software).expect("lavapipe"));
+    let worker = Worker::new(gpu, Box::new(|| ()));
+    // The eye moves all the time, and there is a picture all the same.
+    let mut wish = floor(300);
+    let moving = || {
+        wish.scene.camera.position.x += 0.001;
+        Some(wish.clone())
+    };
+    let report = until(&worker, moving, |report| report.pictures > 0);
+    assert_eq!(report.building, None, "there is nothing left to build");
+    // Another scene is not waited for, and is no error.
+    let mut wishes = vec![Wish { scene: small("room", [37, 29], 1), ..floor(1) }, floor(600)];
+    let size = |report: &Report| report.screen.as_ref().map(|screen| screen.size());
+    let report = until(&worker, || wishes.pop(), |report| !report.busy && size(report) == Some([37, 29]));
+    assert!(report.progress.has == report.progress.target && report.building.is_none(), "{:?}", report.progress);
 }

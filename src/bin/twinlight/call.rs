@@ -1,13 +1,14 @@
 //! a call's pictures, one after the other -> films on their way to files
 
 use std::collections::BTreeSet;
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 use std::path::PathBuf;
 use std::time::Duration;
 
 use twinlight::film::ledger::{Ledger, Reader};
 use twinlight::film::pass::Pass;
 use twinlight::film::{self, Format, stamp_of};
+use twinlight::prepare::bvh::Told;
 use twinlight::render::{Good, Renderer, Work};
 use twinlight::scene::{MOST_SAMPLES, Method, Scene, Source};
 use twinlight::trace::BLOCK;
@@ -45,7 +46,7 @@ impl Ready {
 }
 
 impl Call<'_> {
-    fn ready(&self, picture: &Picture, frame: i64) -> Result<Ready, Failure> {
+    fn ready(&self, picture: &Picture, frame: i64, told: &Told<'_>) -> Result<Ready, Failure> {
         let (mut scene, method) = self.arguments.job.scene(&self.sources[picture.scene], frame)?;
         let good = Good { time: self.arguments.time, noise: self.arguments.noise };
         if good != Good::default() && self.arguments.job.samples.is_none() {
@@ -54,7 +55,7 @@ impl Call<'_> {
         let Arguments { job, keep, dry_run, .. } = self.arguments;
         // What only says what would be made keeps nothing.
         let reach = if *dry_run { job.input.reach() } else { keep.reach(&job.input) };
-        let work = Work::within(&scene, method, &reach)?;
+        let work = Work::watched(&scene, method, &reach, told).map_err(|error| self.stopped(error))?;
         let work = work.until(good)?.having(&self.arguments.passes)?;
         let work = match &self.arguments.crop {
             Some([columns, rows]) => work.crop(columns.clone(), rows.clone())?,
@@ -64,14 +65,14 @@ impl Call<'_> {
     }
 
     /// What the picture is known by, with its first frame.
-    fn stamp(&self, picture: &Picture, class: &str) -> Result<(String, Ready), Failure> {
-        let first = self.ready(picture, picture.frames[0])?;
+    fn stamp(&self, picture: &Picture, class: &str, told: &Told<'_>) -> Result<(String, Ready), Failure> {
+        let first = self.ready(picture, picture.frames[0], told)?;
         if let [_] = picture.frames[..] {
             return Ok((format!("{} {class}", first.work.digest()), first));
         }
         let mut all = blake3::Hasher::new();
         for &frame in &picture.frames {
-            all.update(self.ready(picture, frame)?.work.digest().to_string().as_bytes());
+            all.update(self.ready(picture, frame, told)?.work.digest().to_string().as_bytes());
         }
         Ok((format!("{} {class}", all.finalize().to_hex()), first))
     }
@@ -113,7 +114,7 @@ impl Call<'_> {
 
     /// Says what would become of a picture.
     pub(crate) fn foretell(&self, picture: &Picture) -> Result<(), Failure> {
-        let (stamp, ready) = self.stamp(picture, "")?;
+        let (stamp, ready) = self.stamp(picture, "", &|_| ControlFlow::Continue(()))?;
         let (name, [width, height]) = (picture.name(), ready.work.size());
         let made = self.is_made(picture, &stamp, &ready);
         if self.arguments.json {
@@ -177,7 +178,8 @@ impl Call<'_> {
                 return Ok(false);
             }
         }
-        let (stamp, first) = self.stamp(picture, &renderer.class())?;
+        let told = progress.building(self.stop);
+        let (stamp, first) = self.stamp(picture, &renderer.class(), &told)?;
         if self.is_made(picture, &stamp, &first) {
             if self.arguments.json {
                 say(serde_json::Value::Object(self.report(picture, &first, &stamp)).to_string() + "\n")?;
@@ -207,7 +209,7 @@ impl Call<'_> {
         for (number, &frame) in picture.frames.iter().enumerate() {
             let ready = match first.take() {
                 Some(ready) => ready,
-                None => self.ready(picture, frame)?,
+                None => self.ready(picture, frame, &progress.building(self.stop))?,
             };
             let mut eye = Eye::new(self.stop, progress, number, count);
             // Of a frame that is drawn at once nothing is kept.

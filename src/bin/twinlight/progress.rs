@@ -1,8 +1,11 @@
 //! how far the work is -> a bar, lines of JSON, or nothing
 
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::stop::Stop;
 
 /// How progress is told, on stderr.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
@@ -27,6 +30,8 @@ pub(crate) struct Progress {
     told: Option<Instant>,
 }
 
+/// What takes longer than this is told.
+const MOMENT: Duration = Duration::from_millis(500);
 const EVERY: Duration = Duration::from_millis(200);
 
 impl Progress {
@@ -48,6 +53,7 @@ impl Progress {
     /// So much of the picture is done.
     pub(crate) fn done(&mut self, fraction: f64) {
         let all = (self.number as f64 + fraction) / self.pictures as f64;
+        self.bar.set_prefix("");
         self.bar.set_position((all * 1000.0) as u64);
         let due = self.told.is_none_or(|told| told.elapsed() >= EVERY) || fraction >= 1.0;
         if self.kind == Kind::Json && due {
@@ -56,6 +62,17 @@ impl Progress {
                 "picture": self.name, "number": self.number + 1, "of": self.pictures, "done": all
             });
             eprintln!("{line}");
+        }
+    }
+
+    /// For who builds a tree: tells how much of it is there once that takes longer than a moment, and when to stop.
+    pub(crate) fn building<'a>(&self, stop: &'a Stop) -> impl Fn(f64) -> ControlFlow<()> + Sync + use<'a> {
+        let (bar, begun) = (self.bar.clone(), Instant::now());
+        move |share| {
+            if begun.elapsed() > MOMENT {
+                bar.set_prefix(format!(" (building the tree: {:.0} %)", share * 100.0));
+            }
+            if stop.why().is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }
 
@@ -81,7 +98,7 @@ impl Progress {
 
 /// A bar with the time left, on a terminal; nothing on a pipe.
 pub(crate) fn bar(what: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} [{bar:30}] {percent}%, {eta} left");
+    let style = ProgressStyle::with_template("{msg}{prefix} [{bar:30}] {percent}%, {eta} left");
     let bar = ProgressBar::new(1000).with_message(what.to_owned());
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("=> "));
     bar.enable_steady_tick(Duration::from_millis(200));

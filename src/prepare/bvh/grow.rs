@@ -1,27 +1,59 @@
 //! boxes -> all nodes, the children of each next to each other
 
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use super::pack::{Places, pack, places};
 use super::split::{Item, Part, children};
-use super::{Bounds, Builder, Tree};
+use super::{Bounds, Builder, Told, Tree};
 use crate::tables::Node;
 
 /// The surface area heuristic in bins, eight children at once, over all cores. The tree does not depend on how many.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Binned;
 
+/// The same tree, for who waits for it.
+#[derive(Clone, Copy)]
+pub struct Watched<'a>(pub &'a Told<'a>);
+
 /// Parts with fewer boxes than this are not worth a task.
 const TASK: usize = 2048;
 
 impl Builder for Binned {
     fn build(&self, boxes: Vec<Bounds>) -> Tree {
+        Watched(&|_| ControlFlow::Continue(())).build(boxes)
+    }
+}
+
+impl Builder for Watched<'_> {
+    fn build(&self, boxes: Vec<Bounds>) -> Tree {
         let mut items: Vec<Item> = boxes.into_iter().zip(0..).map(|(b, i)| Item::new(b, i)).collect();
+        let count =
+            Count { told: self.0, all: items.len(), done: AtomicUsize::new(0), over: AtomicBool::new(false) };
         let whole = Part::new(&items, 0..items.len());
         // Without a number in it.
         let bounds = Bounds { low: whole.bounds.low.truncate().extend(0.0), ..whole.bounds };
-        let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0) };
+        let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0, &count) };
         Tree { nodes: grown.nodes, order: grown.order, deep: grown.deep, bounds }
+    }
+}
+
+/// Boxes that are in leaves.
+struct Count<'a> {
+    told: &'a Told<'a>,
+    all: usize,
+    done: AtomicUsize,
+    over: AtomicBool,
+}
+
+impl Count<'_> {
+    fn add(&self, more: usize) {
+        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
+        if more > 0 && (self.told)(done as f64 / self.all as f64).is_break() {
+            self.over.store(true, Ordering::Relaxed);
+        }
     }
 }
 
@@ -43,16 +75,21 @@ impl Grown {
 type Split = dyn Fn(&mut [Item], Part, u32) -> Vec<Part>;
 
 /// Grows a part: large children as tasks of their own, whose nodes are put together afterwards.
-fn grow(items: &mut [Item], whole: Part, level: u32) -> Grown {
+fn grow(items: &mut [Item], whole: Part, level: u32, count: &Count<'_>) -> Grown {
     let mut grown = Grown::new();
+    if count.over.load(Ordering::Relaxed) {
+        return grown;
+    }
     if whole.items.len() <= TASK {
         fill(&mut grown, 0, items, whole, level, &children);
+        count.add(items.len());
         return grown;
     }
     let bounds = whole.bounds;
     let parts = children(items, whole, level);
     let places = places(&parts, bounds);
     grown.nodes[0] = begin(&mut grown, &places, bounds, items);
+    count.add(grown.order.len());
     let mut tasks: Vec<(usize, &Part, &mut [Item])> = Vec::new();
     let mut in_order: Vec<(usize, &Part)> =
         places.iter().enumerate().filter_map(|(i, part)| Some((i, (*part)?))).collect();
@@ -67,7 +104,7 @@ fn grow(items: &mut [Item], whole: Part, level: u32) -> Grown {
     }
     tasks.sort_by_key(|(i, ..)| *i);
     let below: Vec<Grown> =
-        tasks.into_par_iter().map(|(_, part, items)| grow(items, part.alone(), level + 1)).collect();
+        tasks.into_par_iter().map(|(_, part, items)| grow(items, part.alone(), level + 1, count)).collect();
     for (below, child) in below.into_iter().zip(1..) {
         let (first_node, first_leaf) = (grown.nodes.len() as u32 - 1, grown.order.len() as u32);
         let moved =

@@ -112,8 +112,12 @@ impl Builder for Kept<'_> {
             Ok(None) => {}
             Err(fault) => self.note(&file, &format!("the kept tree is of no use: {fault}; it is built anew")),
         }
+        let count = boxes.len();
         let tree = self.builder.build(boxes);
-        self.keep(&file, key, &tree);
+        // One that was stopped on the way lacks some.
+        if tree.order.len() == count {
+            self.keep(&file, key, &tree);
+        }
         tree
     }
 }

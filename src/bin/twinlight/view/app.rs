@@ -84,7 +84,7 @@ impl App {
         let state = state.ok_or_else(|| Failure::Window("the window has no GPU device".to_owned()))?;
         let gpu = Arc::new(Gpu::share(state.adapter.clone(), state.device.clone(), state.queue.clone()));
         let ctx = &cc.egui_ctx;
-        let wake = || -> Box<dyn Fn() + Send> {
+        let wake = || -> Box<dyn Fn() + Send + Sync> {
             let ctx = ctx.clone();
             Box::new(move || ctx.request_repaint())
         };

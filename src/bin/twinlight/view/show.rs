@@ -160,7 +160,11 @@ impl App {
             ui.label(format!("{width} x {height}"));
             ui.label(format!("{} of {} samples", progress.has, progress.target));
             ui.label(format!("{:.0} ms", self.report.took.as_secs_f32() * 1e3));
-            ui.label(if self.report.busy { "at work" } else { "done" });
+            ui.label(match self.report.building {
+                Some(share) => format!("building the tree: {:.0} %", share * 100.0),
+                None if self.report.busy => "at work".to_owned(),
+                None => "done".to_owned(),
+            });
             if let Some(full) = &self.full {
                 ui.add(egui::ProgressBar::new(full.fraction()).desired_width(160.0).show_percentage());
                 if ui.button("cancel").clicked() {
