@@ -34,18 +34,20 @@ impl<'a> Walker<'a> {
 
     /// From its start to its end.
     pub fn walk(&mut self, ray: Ray, mut start: Walk, any: bool) -> Walk {
-        planes(self.tables, ray, &mut start, u32::MAX, any);
+        if self.tables.settings.planes > 0 {
+            planes(self.tables, ray, &mut start, u32::MAX, any);
+        }
         if !(any && start.hit != NONE) {
             let mut found = Found { walk: start, id: 0, any };
             if start.hit != NONE {
                 found.id = primitive_at(self.tables, start.hit).leaf.id;
             }
             let (tables, wides, stack) = (self.tables, self.wides, &mut self.stack[..]);
-            let seat = Seat::in_world(tables, ray);
+            let seat = || Seat::in_world(tables, ray);
             if tables.instances.is_empty() {
-                dispatch!(self.level, simd => below::<_, false>(simd, tables, wides, &seat, 0, stack, &mut found));
+                dispatch!(self.level, simd => below::<_, false>(simd, tables, wides, &seat(), 0, stack, &mut found));
             } else {
-                dispatch!(self.level, simd => below::<_, true>(simd, tables, wides, &seat, 0, stack, &mut found));
+                dispatch!(self.level, simd => below::<_, true>(simd, tables, wides, &seat(), 0, stack, &mut found));
             }
             start = found.walk;
         }
@@ -101,6 +103,10 @@ fn below<S: Simd, const INSTANCES: bool>(
             }
         }
         met &= node.inner;
+        if met.is_power_of_two() {
+            at = node.children[met.trailing_zeros() as usize % LANES];
+            continue;
+        }
         if met != 0 {
             let enter = enter.to_array();
             let bottom = size;
@@ -221,12 +227,13 @@ impl<S: Simd> Eyes<S> {
         }
     }
 
-    /// Where the ray crosses the near and the far sides on one axis.
+    /// Where the ray crosses the near and the far sides on one axis. Fused or not, they are off by less than the slack.
     #[inline(always)]
     fn sides(&self, node: &Wide, axis: usize) -> (f32x8<S>, f32x8<S>) {
-        let near = f32x8::from_slice(self.simd, &node.sides[self.near[axis]]) * self.inverse[axis];
-        let far = f32x8::from_slice(self.simd, &node.sides[self.near[axis] ^ 1]) * self.inverse[axis];
-        (near - self.near_from[axis], far - self.far_from[axis])
+        let near = f32x8::from_slice(self.simd, &node.sides[self.near[axis]]);
+        let far = f32x8::from_slice(self.simd, &node.sides[self.near[axis] ^ 1]);
+        let inverse = self.inverse[axis];
+        (near.mul_sub(inverse, self.near_from[axis]), far.mul_sub(inverse, self.far_from[axis]))
     }
 
     /// A corner of eight triangles, seen from the ray, its axes in turn.

@@ -1,5 +1,10 @@
 //! a ray -> what of a walk hangs on the ray alone
 
+#![expect(
+    clippy::inline_always,
+    reason = "walks in lanes are compiled for a SIMD level, and what they call for none costs a sixth of their time"
+)]
+
 use glam::Vec3;
 
 /// A ray in world space.
@@ -31,7 +36,7 @@ pub struct Aim {
 }
 
 /// The axes in turn, so that the third is number `axis`; cyclic, so that no handedness changes.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn turned(v: Vec3, axis: u32) -> Vec3 {
     match axis {
@@ -42,6 +47,7 @@ pub fn turned(v: Vec3, axis: u32) -> Vec3 {
 }
 
 /// No part closer to zero than this.
+#[inline(always)]
 fn apart(x: f32, least: f32) -> f32 {
     if x.abs() >= least {
         x
@@ -56,7 +62,7 @@ fn apart(x: f32, least: f32) -> f32 {
 /// triangle, seen from the ray, are off by 5 u reach at most; the sides of a box that is decoded from bytes, seen
 /// from the ray, by 9 u reach. So a ray that meets a triangle meets its box, grown by 16 u reach on each side, and
 /// one that meets this meets the boxes of all nodes above, grown by 64 u reach. After Woop, Benthin and Wald 2013, 4.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn aim_of(ray: Ray, low: Vec3, high: Vec3) -> Aim {
     let size = ray.direction.abs();

@@ -1,5 +1,7 @@
 //! a ray and a tree -> the ray as the tree has it, and what the numbers of its leaves grow by
 
+#![expect(clippy::inline_always, reason = "see `aim`")]
+
 use glam::Vec3;
 
 use crate::cpu::trace::aim::{Aim, Ray, aim_of};
@@ -26,7 +28,7 @@ pub struct Seat {
 
 impl Seat {
     /// In the world's tree.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn in_world(tables: &Tables, ray: Ray) -> Self {
         let settings = &tables.settings;
