@@ -34,9 +34,7 @@ fn main() {
     let start = Instant::now();
     let gpu = Gpu::open(&Wanted::Best).unwrap_or_else(|e| panic!("{e}"));
     println!("{}; {frames} moves of the eye, 640 x 480", gpu.adapter().name);
-    println!(
-        "| scene | method | first picture | a move, median | pixels a side of one then | memory, first and last |"
-    );
+    println!("| scene | method | first picture | a move, median | of full size | memory, first and last |");
     println!("|---|---|---|---|---|---|");
     let mut opened = start.elapsed();
     for (scene, method) in [
@@ -59,7 +57,7 @@ fn main() {
         };
         picture(&mut live);
         let first = opened + start.elapsed();
-        let mut times = Vec::new();
+        let (mut times, mut whole) = (Vec::new(), 0);
         let mut before = 0;
         for i in 0..frames {
             desk.hand(Hand::Orbit(Vec2::new(0.003, if i % 100 < 50 { 0.001 } else { -0.001 })));
@@ -67,15 +65,16 @@ fn main() {
             assert!(live.aim(&desk.wish(room)).expect("an eye"), "the scene is kept");
             picture(&mut live);
             times.push(start.elapsed());
+            whole += u32::from(live.progress().film == size);
             if i == frames / 10 {
                 before = memory();
             }
         }
-        let coarse = size[0] / live.progress().film[0];
         println!(
-            "| {scene} | {method:?} | {:.0} ms | {:.1} ms | {coarse} | {:.1} MiB, {:.1} MiB |",
+            "| {scene} | {method:?} | {:.0} ms | {:.1} ms | {} % | {:.1} MiB, {:.1} MiB |",
             first.as_secs_f64() * 1e3,
             median(times),
+            whole * 100 / frames,
             before as f64 / f64::from(1 << 20),
             memory() as f64 / f64::from(1 << 20),
         );

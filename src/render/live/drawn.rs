@@ -27,8 +27,9 @@ pub(super) struct Drawn<'g> {
     moving: bool,
     /// Pixels of the picture, across and down, that one of the film stands for while the eye moves.
     coarse: u32,
-    /// Samples that took too long, one after the other.
+    /// Samples that took too long, one after the other, and those that left room for a finer film.
     late: u32,
+    early: u32,
 }
 
 /// Drawings of lights' depths are counted through.
@@ -40,6 +41,8 @@ const COARSEST: u32 = 4;
 const AT_ONCE: Duration = Duration::from_millis(28);
 /// Samples in a row that took longer before the film is made coarser: one alone may be another program's fault.
 const LATE: u32 = 2;
+/// Samples in a row that took a third of it before a finer film is tried: a second's.
+const EARLY: u32 = 30;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Lit {
@@ -69,7 +72,17 @@ impl<'g> Drawn<'g> {
                 On::Cpu { sums: Vec::new(), shadows, image }
             }
         };
-        Ok(Self { scenery, on, lit: Lit::No, lightings: 0, has: 0, moving: wish.moving, coarse: 1, late: 0 })
+        Ok(Self {
+            scenery,
+            on,
+            lit: Lit::No,
+            lightings: 0,
+            has: 0,
+            moving: wish.moving,
+            coarse: 1,
+            late: 0,
+            early: 0,
+        })
     }
 
     pub(super) fn aim(&mut self, old: &Wish, new: &Wish) -> Result<bool, Error> {
@@ -154,13 +167,14 @@ impl<'g> Drawn<'g> {
         Ok(true)
     }
 
-    /// Twice as coarse is at most four times as little to do.
+    /// Half as coarse is two to four times as much to do.
     fn learn(&mut self, took: Duration) {
         self.late = if took > AT_ONCE { self.late + 1 } else { 0 };
+        self.early = if took * 3 < AT_ONCE { self.early + 1 } else { 0 };
         if self.late >= LATE {
             (self.coarse, self.late) = ((self.coarse * 2).min(COARSEST), 0);
-        } else if took * 4 < AT_ONCE {
-            self.coarse = (self.coarse / 2).max(1);
+        } else if self.early >= EARLY {
+            (self.coarse, self.early) = ((self.coarse / 2).max(1), 0);
         }
     }
 
