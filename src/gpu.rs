@@ -49,6 +49,7 @@ pub struct Gpu {
     /// By their joined source.
     kernels: Mutex<HashMap<String, Kernel>>,
     meter: Option<Meter>,
+    images: bool,
 }
 
 impl Gpu {
@@ -90,7 +91,8 @@ impl Gpu {
             }
         }));
         let meter = Meter::new(&device, &queue);
-        Self { device, queue, adapter, lost, complaint, kernels: Mutex::default(), meter }
+        let images = adapter.software && device.limits().max_storage_textures_per_shader_stage >= IMAGES;
+        Self { device, queue, adapter, lost, complaint, kernels: Mutex::default(), meter, images }
     }
 
     /// The kernel that was built of this text.
@@ -155,7 +157,13 @@ impl Gpu {
 
     /// Whether kernels read tables as images: on a processor they are the faster ones, and WebGPU promises but four.
     pub(crate) fn has_images(&self) -> bool {
-        self.software() && self.device.limits().max_storage_textures_per_shader_stage >= IMAGES
+        self.images
+    }
+
+    /// The same device, whose kernels read tables as textures, as those of all hardware do.
+    #[must_use]
+    pub fn without_images(self) -> Self {
+        Self { images: false, ..self }
     }
 
     /// The fewest lanes of a subgroup, or 0 if there are none.

@@ -44,6 +44,7 @@ mod raster_ways;
 mod raster_windows;
 mod schema;
 mod stages;
+mod textures;
 mod tidy;
 mod time;
 mod trace_lace;
