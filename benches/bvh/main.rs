@@ -20,7 +20,7 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Binding, Gpu, Kernel, Wanted};
 use twinlight::prepare::prepare;
 use twinlight::scene::{self, Scene, Triangle};
-use twinlight::tables::{NONE, Tables};
+use twinlight::tables::{GROUP, NONE, Tables};
 
 use build::build;
 use leaks::leaks;
@@ -59,6 +59,27 @@ fn lanes(tables: &Tables, wides: &Wides, rays: &[Asked]) -> Pass {
         let found = walker.walk(asked.ray(), Walk::new(asked.far), asked.any == 1);
         hits += usize::from(found.hit != NONE);
         sum += if found.hit == NONE || asked.any == 1 { 0.0 } else { f64::from(found.t) };
+    }
+    Pass { took: clock::thread() - start, hits, sum }
+}
+
+/// As the renderer has it: the rays of some pixels at once, eight side by side where they go the same way.
+fn herds(tables: &Tables, wides: &Wides, asked: &[Asked]) -> Pass {
+    let start = clock::thread();
+    let mut walker = Walker::new(tables, wides);
+    let (mut hits, mut sum) = (0, 0.0);
+    let (mut rays, mut walks) = (Vec::new(), Vec::new());
+    for asked in asked.chunks(GROUP as usize) {
+        let any = asked.iter().all(|asked| asked.any == 1);
+        rays.clear();
+        rays.extend(asked.iter().map(Asked::ray));
+        walks.clear();
+        walks.extend(asked.iter().map(|asked| Walk::new(asked.far)));
+        walker.walk_all(&rays, &mut walks, any);
+        for found in &walks {
+            hits += usize::from(found.hit != NONE);
+            sum += if found.hit == NONE || any { 0.0 } else { f64::from(found.t) };
+        }
     }
     Pass { took: clock::thread() - start, hits, sum }
 }
@@ -114,7 +135,7 @@ impl<'a> OnGpu<'a> {
     }
 }
 
-const WALKS: [&str; 4] = ["Embree", "reference", "lanes", "WGSL"];
+const WALKS: [&str; 5] = ["Embree", "reference", "lanes", "herds", "WGSL"];
 
 /// The best times of a set's walks, one after the other in each turn.
 fn race(
@@ -128,7 +149,8 @@ fn race(
 ) -> [f64; WALKS.len()] {
     let mut best = [f64::INFINITY; WALKS.len()];
     for _ in 0..turns {
-        let passes = [peer.pass(set), reference(tables, rays), lanes(tables, wides, rays), on_gpu.pass(rays)];
+        let own = [reference(tables, rays), lanes(tables, wides, rays), herds(tables, wides, rays)];
+        let passes = [peer.pass(set), own[0], own[1], own[2], on_gpu.pass(rays)];
         for (walk, (pass, best)) in WALKS.iter().zip(passes.iter().zip(&mut best)) {
             *best = best.min(pass.took);
             let truth = passes[1];

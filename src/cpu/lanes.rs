@@ -8,7 +8,10 @@
 )]
 
 pub(super) mod few;
+pub(super) mod follow;
+mod herd;
 mod meet;
+mod pack;
 mod shade;
 mod walk;
 mod wide;

@@ -116,16 +116,17 @@ impl Trace for CpuTrace<'_> {
         let told =
             paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, (waiting, walks)))| {
                 let mut status = ONE_GROUP;
+                let first = g as u32 * GROUP;
+                if slice.budget == u32::MAX {
+                    let mut walker = Walker::new(tables, wides);
+                    lanes::follow::follow_all(tables, slice, first, paths, waiting, &mut walker, &mut status);
+                    return status;
+                }
                 let stacks = waiting.chunks_mut(depth).zip(walks.chunks_mut(deep));
-                let mut walker = Walker::new(tables, wides);
-                for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(g as u32 * GROUP..) {
-                    if slice.budget == u32::MAX {
-                        let walk = |ray, start, any| walker.walk(ray, start, any);
-                        follow::follow(tables, slice, i, path, waiting, walk, &mut status, &mut ());
-                    } else {
-                        let walk = |ray, start, any| walk::walk(tables, walk, ray, start, slice.budget, any);
-                        follow::follow(tables, slice, i, path, waiting, walk, &mut status, &mut ());
-                    }
+                for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(first..) {
+                    let walk = |ray, start, any| walk::walk(tables, walk, ray, start, slice.budget, any);
+                    let known = &mut follow::Known::default();
+                    follow::follow(tables, slice, i, path, waiting, known, walk, &mut status, &mut ());
                 }
                 status
             });

@@ -11,7 +11,7 @@ use super::drawn::Maps;
 use super::things::Thing;
 use super::tree::Heard;
 use crate::cpu::trace::primary::place;
-use crate::cpu::trace::{cast::cast, few::few, follow::follow, gather::gather, steps::steps, walk::walk};
+use crate::cpu::trace::{cast::cast, few::few, follow, gather::gather, steps::steps, walk::walk};
 use crate::film::{Film, Run};
 use crate::scene::Scene;
 use crate::tables::{DONE, Slice, Status, Tables};
@@ -193,7 +193,8 @@ impl Trace for Listening<'_> {
         let Paths { paths, waiting, walks, .. } = paths;
         let mut heard = Heard::new(self.scene, self.tables);
         let walk = |ray, start, any| walk(self.tables, walks, ray, start, slice.budget, any);
-        follow(self.tables, slice, 0, &mut paths[0], waiting, walk, &mut self.status, &mut heard);
+        let known = &mut follow::Known::default();
+        follow::follow(self.tables, slice, 0, &mut paths[0], waiting, known, walk, &mut self.status, &mut heard);
         if paths[0].state == DONE {
             self.samples.push(heard.sample(paths[0].radiance));
         }

@@ -38,7 +38,7 @@ pub(super) fn crowd(number: u32, count: usize) -> Vec<Mesh> {
 }
 
 /// A scene of everything, and a crowd in it.
-fn crowded(number: u32) -> Scene {
+pub(super) fn crowded(number: u32) -> Scene {
     let mut scene = painted(number);
     scene.trace.filter = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap][number as usize % 3];
     let mut dice = Dice(number, 43);
@@ -73,7 +73,7 @@ fn brute(tables: &Tables, ray: Ray, reach: f32, any: bool) -> Walk {
 }
 
 /// Rays anywhere, at corners and edges of instances, from one of their triangles on, and from far away.
-fn ray(dice: &mut Dice, tables: &Tables) -> Ray {
+pub(super) fn ray_at_instance(dice: &mut Dice, tables: &Tables) -> Ray {
     let settings = &tables.settings;
     let anywhere = |dice: &mut Dice| settings.low + (settings.high - settings.low) * (dice.point(0.75) + 0.5);
     let of = &tables.instances[dice.below(tables.instances.len())];
@@ -107,7 +107,7 @@ fn compare_rays(tables: &Tables, seed: u32, rays: usize) -> (usize, usize) {
     let (mut differ, mut hits) = (0, 0);
     let is = |a: &Walk, b: &Walk| a.hit == b.hit && a.t.to_bits() == b.t.to_bits();
     for i in 0..rays {
-        let ray = ray(&mut dice, tables);
+        let ray = ray_at_instance(&mut dice, tables);
         let expected = brute(tables, ray, FAR, false);
         let found = walk(tables, &mut stack, ray, Walk::new(FAR), u32::MAX, false);
         let mut same = is(&found, &expected) && is(&walker.walk(ray, Walk::new(FAR), false), &expected);
@@ -183,7 +183,7 @@ fn planted_faults_in_instances_are_seen() {
         let mut dice = Dice(3, 1 << 21);
         let mut stack = vec![[0; 2]; tables.deep as usize];
         let seen = (0..20_000).any(|_| {
-            let ray = ray(&mut dice, &right);
+            let ray = ray_at_instance(&mut dice, &right);
             let found = walk(&tables, &mut stack, ray, Walk::new(FAR), u32::MAX, false);
             let expected = brute(&tables, ray, FAR, false);
             found.hit != expected.hit || found.t.to_bits() != expected.t.to_bits()

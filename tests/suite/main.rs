@@ -20,6 +20,7 @@ mod few;
 mod frames;
 mod fuzz;
 mod golden;
+mod herds;
 mod hostile;
 mod instances;
 mod kept;

@@ -60,7 +60,7 @@ pub(super) fn lace(number: u32, one_sided: bool) -> Mesh {
 }
 
 /// A scene of everything, with laces in it, which is one-sided in every second one.
-fn laced(number: u32) -> Scene {
+pub(super) fn laced(number: u32) -> Scene {
     let mut scene = painted(number);
     scene.trace.filter = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap][number as usize % 3];
     scene.meshes = vec![lace(number, number.is_multiple_of(2))];

@@ -7,6 +7,7 @@ use fearless_simd::{Level, dispatch, f32x8};
 use glam::Vec3;
 
 use super::LANES;
+use super::herd::Open;
 use super::wide::{Block, Wide, Wides};
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::primitive_at;
@@ -17,19 +18,22 @@ use crate::tables::{NONE, Tables};
 /// Walks of one scene, one after the other.
 #[derive(Debug)]
 pub struct Walker<'a> {
-    tables: &'a Tables,
-    wides: &'a Wides,
-    level: Level,
+    pub(super) tables: &'a Tables,
+    pub(super) wides: &'a Wides,
+    pub(super) level: Level,
     /// Nodes to be asked, the nearest last. Above its number stand the bits of where the ray enters a node, which are
     /// in the order of their numbers from zero up.
-    stack: Vec<u64>,
+    pub(super) stack: Vec<u64>,
+    /// The same for eight rays at once.
+    pub(super) open: Vec<Open>,
 }
 
 impl<'a> Walker<'a> {
     /// Walks of the scene of these tables, and of the tree that was made of them.
     #[must_use]
     pub fn new(tables: &'a Tables, wides: &'a Wides) -> Self {
-        Self { tables, wides, level: Level::new(), stack: vec![0; LANES * tables.deep as usize] }
+        let room = LANES * tables.deep as usize;
+        Self { tables, wides, level: Level::new(), stack: vec![0; room], open: vec![Open::NOTHING; room] }
     }
 
     /// From its start to its end.
@@ -58,16 +62,16 @@ impl<'a> Walker<'a> {
 }
 
 /// What was found so far.
-struct Found {
-    walk: Walk,
+pub(super) struct Found {
+    pub(super) walk: Walk,
     /// The number of the hit; nothing wins a tie against the reach of a ray.
-    id: u32,
-    any: bool,
+    pub(super) id: u32,
+    pub(super) any: bool,
 }
 
 /// Asks all that lies below a node; instances only where there are any, and in no instance.
 #[inline(always)]
-fn below<S: Simd, const INSTANCES: bool>(
+pub(super) fn below<S: Simd, const INSTANCES: bool>(
     simd: S,
     tables: &Tables,
     wides: &Wides,

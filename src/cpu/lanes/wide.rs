@@ -20,10 +20,13 @@ pub struct Wides {
 pub(super) struct Wide {
     /// Lower and upper sides of the children's boxes in x, y and z; of no child what no ray meets.
     pub(super) sides: [[f32; LANES]; 6],
-    /// The children that are nodes.
+    /// Of each child its node, or the first of its leaves.
     pub(super) children: [u32; LANES],
-    /// A bit for each child that is a node.
+    /// A bit for each child, and for each that is a node.
+    pub(super) taken: u32,
     pub(super) inner: u32,
+    /// Two bits for each child: how many leaves it has, none if it is a node.
+    pub(super) many: u32,
     /// The first of the blocks of all other children, and which of the children each of them holds.
     pub(super) first: u32,
     pub(super) held: [u32; 3],
@@ -80,7 +83,9 @@ fn wide(node: &Node, leaves: &[Leaf], blocks: &mut Vec<Block>) -> Wide {
     let mut wide = Wide {
         sides: nothing,
         children: std::array::from_fn(|i| node.children + (inner & ((1 << i) - 1)).count_ones()),
+        taken: inner,
         inner,
+        many: 0,
         first: blocks.len() as u32,
         held: [0; 3],
     };
@@ -88,6 +93,9 @@ fn wide(node: &Node, leaves: &[Leaf], blocks: &mut Vec<Block>) -> Wide {
     for (child, kind) in kinds.into_iter().enumerate().filter(|(i, kind)| *kind != 0 && inner & 1 << i == 0) {
         let (first, many) = (usize::from(kind & 31), (kind >> 5).count_ones() as usize);
         count = count.max(first + many);
+        wide.taken |= 1 << child;
+        wide.many |= (many as u32) << (2 * child);
+        wide.children[child] = node.leaves + first as u32;
         for i in first..first + many {
             wide.held[i / LANES] |= 1 << child;
             let (low, high) = reach(&leaves[node.leaves as usize + i]);

@@ -1,17 +1,23 @@
 //! rays -> ray trees followed to their end, or for as long as the budget lasts
 
-use glam::Vec3;
-
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::primitive_at;
-use crate::cpu::trace::surface::surface_at;
+use crate::cpu::trace::surface::{Surface, surface_at};
 use crate::cpu::trace::tree::{Lit, go_on, lit, turn_back};
 use crate::cpu::trace::walk::Walk;
 use crate::cpu::witness::Witness;
 use crate::tables::{LIT, NONE, Path, SEEK, Slice, Status, Tables, Waiting};
 
+/// What was looked up of the hit in hand: its pictures are read once, however many lights are asked.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Known {
+    surface: Option<Surface>,
+    /// The light whose shadow ray was put down.
+    asked: Option<Lit>,
+}
+
 /// Follows the tree of pixel `i` of the slice; `waiting` is its stack, `max_depth` long; `walk` goes on from where a
-/// walk is, for any hit or for the nearest.
+/// walk is, for any hit or for the nearest. A tree that is put down and gone on with may keep what is `known`, or not.
 #[expect(clippy::too_many_arguments, reason = "they are the kernel's, and who listens")]
 pub fn follow(
     tables: &Tables,
@@ -19,44 +25,48 @@ pub fn follow(
     i: u32,
     path: &mut Path,
     waiting: &mut [Waiting],
+    known: &mut Known,
     mut walk: impl FnMut(Ray, Walk, bool) -> Walk,
     status: &mut Status,
     witness: &mut impl Witness,
 ) {
     let settings = &tables.settings;
     let mut turns = 0_u32;
-    // Of the hit in hand: its pictures are read once, however many lights are asked.
-    let mut known = None;
     while (path.state == SEEK || path.state == LIT) && turns < slice.budget {
-        let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
-        let mut asked = Lit { color: Vec3::ZERO, shadow: own_ray, reach: 0.0, phong: [0.0; 2] };
+        let mut asked = None;
         if path.state == LIT {
-            let surface = *known.get_or_insert_with(|| surface_at(tables, own_ray, path.t, path.hit, witness));
-            witness.met(path, path.t, &surface);
-            while path.light < settings.lights && turns < slice.budget && asked.reach == 0.0 {
+            let own_ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
+            let surface =
+                &*known.surface.get_or_insert_with(|| surface_at(tables, own_ray, path.t, path.hit, witness));
+            witness.met(path, path.t, surface);
+            asked = known.asked.take();
+            while path.light < settings.lights && turns < slice.budget && asked.is_none() {
                 turns += 1;
-                asked = lit(tables, path, &surface, &tables.lights[path.light as usize]);
-                if asked.reach == 0.0 {
-                    witness.light(&asked, false);
+                let light = lit(tables, path, surface, &tables.lights[path.light as usize]);
+                if light.reach == 0.0 {
+                    witness.light(&light, false);
                     path.light += 1;
+                } else {
+                    asked = Some(light);
                 }
             }
-            if asked.reach == 0.0 && path.light < settings.lights {
+            if asked.is_none() && path.light < settings.lights {
                 break;
             }
-            if asked.reach == 0.0 {
-                go_on(tables, slice, i, &surface, path, waiting, status, witness);
-                known = None;
+            if asked.is_none() {
+                go_on(tables, slice, i, surface, path, waiting, status, witness);
+                known.surface = None;
             }
         }
         // The tree's own ray, or a shadow ray of its hit.
         let own = path.state == SEEK;
-        let (ray, t, hit) = if own {
-            (Ray { origin: path.origin, direction: path.direction, leaves: path.leaves }, path.t, path.hit)
-        } else if path.state == LIT {
-            (asked.shadow, asked.reach, NONE)
-        } else {
-            break;
+        let (ray, t, hit) = match &asked {
+            Some(asked) => (asked.shadow, asked.reach, NONE),
+            None if own => {
+                let ray = Ray { origin: path.origin, direction: path.direction, leaves: path.leaves };
+                (ray, path.t, path.hit)
+            }
+            None => break,
         };
         let start = Walk { t, hit, next: path.next, turns, flags: 0 };
         let found = walk(ray, start, !own);
@@ -68,6 +78,7 @@ pub fn follow(
         }
         if !found.over(tables, !own) {
             path.next = found.next;
+            known.asked = asked;
             break;
         }
         path.next = 0;
@@ -85,8 +96,8 @@ pub fn follow(
                 // Inside an object no light is asked (spec 2.1, step 2).
                 path.light = if path.inside == 1 { settings.lights } else { 0 };
             }
-        } else {
-            witness.light(&asked, found.hit == NONE);
+        } else if let Some(asked) = &asked {
+            witness.light(asked, found.hit == NONE);
             if found.hit == NONE {
                 path.radiance += asked.color;
             }
