@@ -1,13 +1,17 @@
 //! boxes -> a tree of nodes with up to eight children each
 //!
 //! ```text
-//! boxes -> split (one node's children) -> pack (as bytes) -> grow (the same below them, over all cores) -> Tree
+//! boxes -> binary (split in two, and again) -> collapse (which of these nodes to keep) -> grow (the kept ones, packed) -> Tree
 //! ```
 //!
 //! Any tree will do whose boxes hold what lies below them: a walk finds the same primitive at the same distance, to
 //! the bit, in every one.
 
+mod binary;
+mod binned;
 mod bins;
+mod collapse;
+mod count;
 mod grow;
 mod halves;
 mod kept;
@@ -15,8 +19,9 @@ mod pack;
 mod sides;
 mod sound;
 mod split;
+mod ways;
 
-pub use grow::{Binned, Watched};
+pub use binned::{Binned, Watched};
 pub use halves::Halves;
 pub use kept::{Kept, LEAST_KEPT};
 
@@ -84,6 +89,13 @@ pub struct Tree {
     pub deep: u32,
     /// Around all boxes.
     pub bounds: Bounds,
+}
+
+impl Tree {
+    /// A node without children.
+    fn empty() -> Self {
+        Self { nodes: vec![Node::zeroed()], order: Vec::new(), deep: 1, bounds: Bounds::NOTHING }
+    }
 }
 
 /// The most primitives that a child of a node may have.

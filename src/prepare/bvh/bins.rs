@@ -38,9 +38,10 @@ struct Grid {
     scale: Vec4,
 }
 
-/// Many boxes have so many bins along each axis, and few boxes have half as many.
-const MOST: usize = 16;
-const MANY: usize = 32;
+/// Many boxes have so many bins along each axis, some have half, and few a quarter as many.
+const MOST: usize = 32;
+const MANY: usize = 192;
+const SOME: usize = 32;
 
 impl Grid {
     fn new(middles: Bounds, bins: usize) -> Self {
@@ -81,7 +82,11 @@ impl Bin {
 
 /// The plane between bins that is the cheapest; none if no plane parts the middles.
 pub(super) fn best(items: &[Item], middles: Bounds) -> Option<Plane> {
-    if items.len() < MANY { best_of::<{ MOST / 2 }>(items, middles) } else { best_of::<MOST>(items, middles) }
+    match items.len() {
+        MANY.. => best_of::<MOST>(items, middles),
+        SOME.. => best_of::<{ MOST / 2 }>(items, middles),
+        _ => best_of::<{ MOST / 4 }>(items, middles),
+    }
 }
 
 type Bins<const N: usize> = [[Bin; N]; 3];

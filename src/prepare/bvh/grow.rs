@@ -1,116 +1,48 @@
-//! boxes -> all nodes, the children of each next to each other
+//! a tree of two children a node -> all nodes, the children of each next to each other
 
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
+use bytemuck::Zeroable as _;
 use rayon::prelude::*;
 
+use super::binary::{Binary, Branch, Kind};
 use super::pack::{Places, pack, places};
-use super::split::{Item, Part, children};
-use super::{Bounds, Builder, Told, Tree};
+use super::ways::Ways;
+use super::{Bounds, Tree};
 use crate::tables::Node;
 
-/// The surface area heuristic in bins, eight children at once, over all cores. The tree does not depend on how many.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Binned;
-
-/// The same tree, for who waits for it.
-#[derive(Clone, Copy)]
-pub struct Watched<'a>(pub &'a Told<'a>);
-
-/// Parts with fewer boxes than this are not worth a task.
-const TASK: usize = 2048;
-
-impl Builder for Binned {
-    fn build(&self, boxes: Vec<Bounds>) -> Tree {
-        Watched(&|_| ControlFlow::Continue(())).build(boxes)
-    }
-}
-
-impl Builder for Watched<'_> {
-    fn build(&self, boxes: Vec<Bounds>) -> Tree {
-        let mut items: Vec<Item> = boxes.into_iter().zip(0..).map(|(b, i)| Item::new(b, i)).collect();
-        let count =
-            Count { told: self.0, all: items.len(), done: AtomicUsize::new(0), over: AtomicBool::new(false) };
-        let whole = Part::new(&items, 0..items.len());
-        // Without a number in it.
-        let bounds = Bounds { low: whole.bounds.low.truncate().extend(0.0), ..whole.bounds };
-        let grown = if items.is_empty() { Grown::new() } else { grow(&mut items, whole, 0, &count) };
-        Tree { nodes: grown.nodes, order: grown.order, deep: grown.deep, bounds }
-    }
-}
-
-/// Boxes that are in leaves.
-struct Count<'a> {
-    told: &'a Told<'a>,
-    all: usize,
-    done: AtomicUsize,
-    over: AtomicBool,
-}
-
-impl Count<'_> {
-    fn add(&self, more: usize) {
-        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
-        if more > 0 && (self.told)(done as f64 / self.all as f64).is_break() {
-            self.over.store(true, Ordering::Relaxed);
-        }
-    }
-}
-
 /// A node, the first, and all that lies below it.
-pub(super) struct Grown {
-    pub(super) nodes: Vec<Node>,
-    pub(super) order: Vec<u32>,
-    pub(super) deep: u32,
+struct Grown {
+    nodes: Vec<Node>,
+    order: Vec<u32>,
+    deep: u32,
 }
 
-impl Grown {
-    /// A node without children.
-    pub(super) fn new() -> Self {
-        Self { nodes: vec![bytemuck::Zeroable::zeroed()], order: Vec::new(), deep: 1 }
-    }
+/// The tree of those nodes that are to be kept.
+pub(super) fn tree(binary: &Binary, ways: &Ways) -> Tree {
+    let Bounds { low, high } = binary.bounds(binary.root);
+    // Without a number in it.
+    let bounds = Bounds { low: low.truncate().extend(0.0), high: high.truncate().extend(0.0) };
+    let Grown { nodes, order, deep } = grow(binary, ways, binary.root);
+    Tree { nodes, order, deep, bounds }
 }
 
-/// How the items of a node are shared among its children, at a level of the tree.
-type Split = dyn Fn(&mut [Item], Part, u32) -> Vec<Part>;
-
-/// Grows a part: large children as tasks of their own, whose nodes are put together afterwards.
-fn grow(items: &mut [Item], whole: Part, level: u32, count: &Count<'_>) -> Grown {
-    let mut grown = Grown::new();
-    if count.over.load(Ordering::Relaxed) {
+/// Grows a node: large children as tasks of their own, whose nodes are put together afterwards.
+fn grow(binary: &Binary, ways: &Ways, branch: Branch) -> Grown {
+    let mut grown = Grown { nodes: vec![Node::zeroed()], order: Vec::new(), deep: 1 };
+    if !ways.is_large(binary, branch) {
+        fill(&mut grown, 0, binary, ways, branch);
         return grown;
     }
-    if whole.items.len() <= TASK {
-        fill(&mut grown, 0, items, whole, level, &children);
-        count.add(items.len());
-        return grown;
-    }
-    let bounds = whole.bounds;
-    let parts = children(items, whole, level);
-    let places = places(&parts, bounds);
-    grown.nodes[0] = begin(&mut grown, &places, bounds, items);
-    count.add(grown.order.len());
-    let mut tasks: Vec<(usize, &Part, &mut [Item])> = Vec::new();
-    let mut in_order: Vec<(usize, &Part)> =
-        places.iter().enumerate().filter_map(|(i, part)| Some((i, (*part)?))).collect();
-    in_order.sort_by_key(|(_, part)| part.items.start);
-    let mut rest = items;
-    for (i, part) in in_order {
-        let (own, after) = rest.split_at_mut(part.items.len());
-        rest = after;
-        if !part.is_leaf() {
-            tasks.push((i, part, own));
-        }
-    }
-    tasks.sort_by_key(|(i, ..)| *i);
-    let below: Vec<Grown> =
-        tasks.into_par_iter().map(|(_, part, items)| grow(items, part.alone(), level + 1, count)).collect();
+    let children = ways.children(binary, branch);
+    let places = places(&children, binary.bounds(branch));
+    grown.nodes[0] = begin(&mut grown, &places, binary, branch);
+    let inner: Vec<Branch> = inner(&places).collect();
+    let below: Vec<Grown> = inner.into_par_iter().map(|branch| grow(binary, ways, branch)).collect();
     for (below, child) in below.into_iter().zip(1..) {
         let (first_node, first_leaf) = (grown.nodes.len() as u32 - 1, grown.order.len() as u32);
         let moved =
             |node: &Node| Node { children: node.children + first_node, leaves: node.leaves + first_leaf, ..*node };
         let mut nodes = below.nodes.iter().map(moved);
-        grown.nodes[child] = nodes.next().unwrap_or_else(bytemuck::Zeroable::zeroed);
+        grown.nodes[child] = nodes.next().unwrap_or_else(Node::zeroed);
         grown.nodes.extend(nodes);
         grown.order.extend(below.order);
         grown.deep = grown.deep.max(1 + below.deep);
@@ -118,38 +50,41 @@ fn grow(items: &mut [Item], whole: Part, level: u32, count: &Count<'_>) -> Grown
     grown
 }
 
-/// Grows a part at a node that has its place already.
-pub(super) fn fill(
-    grown: &mut Grown,
-    at: usize,
-    items: &mut [Item],
-    whole: Part,
-    level: u32,
-    split: &Split,
-) -> u32 {
-    let bounds = whole.bounds;
-    let parts = split(items, whole, level);
-    let places = places(&parts, bounds);
+/// Grows a node that has its place already; says how many are on the longest way down.
+fn fill(grown: &mut Grown, at: usize, binary: &Binary, ways: &Ways, branch: Branch) -> u32 {
+    let children = ways.children(binary, branch);
+    let places = places(&children, binary.bounds(branch));
     let first = grown.nodes.len();
-    grown.nodes[at] = begin(grown, &places, bounds, items);
-    let inner = places.iter().flatten().filter(|part| !part.is_leaf());
+    grown.nodes[at] = begin(grown, &places, binary, branch);
     let mut deep = 0;
-    for (part, child) in inner.zip(first..) {
-        deep = deep.max(fill(grown, child, items, (*part).clone(), level + 1, split));
+    for (branch, child) in inner(&places).zip(first..) {
+        deep = deep.max(fill(grown, child, binary, ways, branch));
     }
     grown.deep = grown.deep.max(deep + 1);
     deep + 1
 }
 
 /// A node, with room for its children and its leaves in their order.
-fn begin(grown: &mut Grown, places: &Places<'_>, bounds: Bounds, items: &[Item]) -> Node {
-    let node = pack(places, bounds, grown.nodes.len() as u32, grown.order.len() as u32);
-    for part in places.iter().flatten() {
-        if part.is_leaf() {
-            grown.order.extend(items[part.items.clone()].iter().map(Item::number));
+fn begin(grown: &mut Grown, places: &Places<'_>, binary: &Binary, branch: Branch) -> Node {
+    let node = pack(places, binary.bounds(branch), grown.nodes.len() as u32, grown.order.len() as u32);
+    for child in places.iter().flatten() {
+        if child.is_leaf() {
+            leaf(grown, binary, child.branch);
         } else {
-            grown.nodes.push(bytemuck::Zeroable::zeroed());
+            grown.nodes.push(Node::zeroed());
         }
     }
     node
+}
+
+fn leaf(grown: &mut Grown, binary: &Binary, branch: Branch) {
+    match binary.kind(branch) {
+        Kind::Box(item) => grown.order.push(item.number()),
+        Kind::Node(_, two) => [two.left, two.right].into_iter().for_each(|branch| leaf(grown, binary, branch)),
+    }
+}
+
+/// The children that are nodes.
+fn inner(places: &Places<'_>) -> impl Iterator<Item = Branch> {
+    places.iter().flatten().filter(|child| !child.is_leaf()).map(|child| child.branch)
 }

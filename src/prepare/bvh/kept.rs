@@ -26,15 +26,20 @@ pub struct Kept<'a> {
 pub const LEAST_KEPT: usize = 1000;
 
 /// What is on disk, and what builds it: other texts, other trees.
-const BUILT_BY: [&str; 8] = [
+const BUILT_BY: [&str; 13] = [
     include_str!("../../tables/node.rs"),
     include_str!("../bvh.rs"),
+    include_str!("binary.rs"),
+    include_str!("binned.rs"),
     include_str!("bins.rs"),
+    include_str!("collapse.rs"),
+    include_str!("count.rs"),
     include_str!("grow.rs"),
     include_str!("kept.rs"),
     include_str!("pack.rs"),
     include_str!("sides.rs"),
     include_str!("split.rs"),
+    include_str!("ways.rs"),
 ];
 
 const MAGIC: [u8; 16] = *b"twinlight tree 1";

@@ -3,20 +3,20 @@
 use glam::Vec4;
 
 use super::Bounds;
-use super::split::Part;
+use super::ways::Child;
 use crate::tables::Node;
 
 /// Children in their places.
-pub(super) type Places<'a> = [Option<&'a Part>; 8];
+pub(super) type Places<'a> = [Option<&'a Child>; 8];
 
 /// Gives child after child the place whose direction it lies farthest along: the greedy way of Ylitie et al., 3.2.
 ///
 /// Place 7 lies towards +x +y +z. A ray asks the places in the order of `place ^ octant`.
-pub(super) fn places<'a>(parts: &'a [Part], whole: Bounds) -> Places<'a> {
+pub(super) fn places<'a>(children: &'a [Child], whole: Bounds) -> Places<'a> {
     // How far a child lies from the middle, against the direction of each place; the pair's number is in the last bits.
     let mut costs = [[f32::INFINITY; 8]; 8];
-    for ((part, costs), i) in parts.iter().zip(&mut costs).zip(0..) {
-        let [x, y, z, _] = (part.bounds.middle() - whole.middle()).to_array();
+    for ((child, costs), i) in children.iter().zip(&mut costs).zip(0..) {
+        let [x, y, z, _] = (child.bounds.middle() - whole.middle()).to_array();
         for (cost, place) in costs.iter_mut().zip(0..) {
             let side = |bit: u32, x: f32| if place & bit == 0 { x } else { -x };
             let far = side(4, x) + side(2, y) + side(1, z);
@@ -27,15 +27,15 @@ pub(super) fn places<'a>(parts: &'a [Part], whole: Bounds) -> Places<'a> {
     }
     let mut taken: Places<'a> = [None; 8];
     let mut open = [0.0; 8];
-    for _ in parts {
+    for _ in children {
         let mut least = [f32::INFINITY; 8];
-        for costs in &costs[..parts.len()] {
+        for costs in &costs[..children.len()] {
             least = std::array::from_fn(|place| lesser(least[place], costs[place]));
         }
         let least = std::array::from_fn::<_, 8, _>(|place| least[place] + open[place]);
         let pair = least.into_iter().fold(f32::INFINITY, lesser).to_bits();
         let [i, place] = [pair >> 3, pair].map(|bits| bits as usize % 8);
-        taken[place] = Some(&parts[i]);
+        taken[place] = Some(&children[i]);
         open[place] = f32::INFINITY;
         costs[i] = [f32::INFINITY; 8];
     }
@@ -69,10 +69,10 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         ..bytemuck::Zeroable::zeroed()
     };
     let mut leaves = 0;
-    for (i, part) in places.iter().enumerate() {
-        let Some(part) = part else { continue };
-        let low = ((part.bounds.low - whole.low) / step).floor().to_array().map(|q| q as u8);
-        let high = ((part.bounds.high - whole.low) / step).ceil().to_array().map(|q| q as u8);
+    for (i, child) in places.iter().enumerate() {
+        let Some(child) = child else { continue };
+        let low = ((child.bounds.low - whole.low) / step).floor().to_array().map(|q| q as u8);
+        let high = ((child.bounds.high - whole.low) / step).ceil().to_array().map(|q| q as u8);
         let (word, shift) = (i / 4, 8 * (i % 4));
         let put = |to: &mut [u32; 2], byte: u8| to[word] |= u32::from(byte) << shift;
         put(&mut node.low_x, low[0]);
@@ -81,10 +81,9 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         put(&mut node.high_x, high[0]);
         put(&mut node.high_y, high[1]);
         put(&mut node.high_z, high[2]);
-        if part.is_leaf() {
-            let count = part.items.len() as u8;
-            put(&mut node.kinds, ((1 << count) - 1) << 5 | leaves);
-            leaves += count;
+        if child.is_leaf() {
+            put(&mut node.kinds, ((1 << child.boxes) - 1) << 5 | leaves);
+            leaves += child.boxes;
         } else {
             put(&mut node.kinds, 1 << 5 | (24 + i as u8));
             node.steps |= 1 << (24 + i);

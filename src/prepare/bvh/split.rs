@@ -1,11 +1,9 @@
-//! the boxes of a node -> its children, by the surface area heuristic
-
-use std::ops::Range;
+//! the boxes of a part -> those of two parts, by the surface area heuristic
 
 use rayon::prelude::*;
 
 use super::bins::best;
-use super::{Bounds, MOST_IN_LEAF, sides};
+use super::{Bounds, sides};
 
 /// A box; its number stands in the bits of the fourth part of `low`, below those of a 2: subnormal numbers are slow.
 #[derive(Debug, Clone, Copy)]
@@ -27,122 +25,105 @@ impl Item {
 /// any number of them.
 pub(super) const CHUNK: usize = 1 << 12;
 
-/// Some of a node's boxes, next to each other.
-#[derive(Debug, Clone)]
+/// What some boxes, next to each other, lie in.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
-    /// Which items.
-    pub(super) items: Range<usize>,
     /// Around all of them.
     pub(super) bounds: Bounds,
     /// Around twice their middles.
-    middles: Bounds,
+    pub(super) middles: Bounds,
 }
 
 impl Part {
-    pub(super) fn new(items: &[Item], range: Range<usize>) -> Self {
-        let nothing = (Bounds::NOTHING, Bounds::NOTHING);
-        let add = |(bounds, middles): (Bounds, Bounds), item: &Item| {
-            (bounds.join(item.0), middles.join(Bounds::at(item.0.middle())))
-        };
-        let own = &items[range.clone()];
-        let (bounds, middles) = if own.len() < 2 * CHUNK {
-            own.iter().fold(nothing, add)
-        } else {
-            let chunks = own.par_chunks(CHUNK).map(|own| own.iter().fold(nothing, add));
-            chunks.reduce(|| nothing, |a, b| (a.0.join(b.0), a.1.join(b.1)))
-        };
-        Self { items: range, bounds, middles }
+    const NOTHING: Self = Self { bounds: Bounds::NOTHING, middles: Bounds::NOTHING };
+
+    pub(super) fn new(items: &[Item]) -> Self {
+        let some = |items: &[Item]| items.iter().fold(Self::NOTHING, Self::with);
+        if items.len() < 2 * CHUNK {
+            return some(items);
+        }
+        items.par_chunks(CHUNK).map(some).reduce(|| Self::NOTHING, Self::join)
     }
 
-    /// The same part of its own items alone.
-    pub(super) fn alone(&self) -> Self {
-        Self { items: 0..self.items.len(), ..self.clone() }
+    fn with(self, item: &Item) -> Self {
+        self.join(Self { bounds: item.0, middles: Bounds::at(item.0.middle()) })
     }
 
-    pub(super) fn is_leaf(&self) -> bool {
-        self.items.len() <= MOST_IN_LEAF
+    fn join(self, other: Self) -> Self {
+        Self { bounds: self.bounds.join(other.bounds), middles: self.middles.join(other.middles) }
+    }
+}
+
+/// How many boxes are left, the first in their order now, and where they and the others lie.
+pub(super) struct Halved {
+    pub(super) left: usize,
+    pub(super) parts: [Part; 2],
+}
+
+impl Halved {
+    pub(super) fn at(left: usize, items: &[Item]) -> Self {
+        Self { left, parts: [Part::new(&items[..left]), Part::new(&items[left..])] }
     }
 }
 
 /// Beyond so many levels parts are halved, so that no input makes a tree that is much deeper.
-const STEEP: u32 = 24;
-const CHILDREN: usize = 8;
+const STEEP: u32 = 48;
 
-/// Sorts the items of a part into at most eight.
-pub(super) fn children(items: &mut [Item], whole: Part, level: u32) -> Vec<Part> {
-    if whole.items.len() <= CHILDREN {
-        let alone = |i: usize| Part { items: i..i + 1, bounds: items[i].0, middles: Bounds::NOTHING };
-        return whole.items.map(alone).collect();
+/// Sorts the items of a part, of which there are two at least, into two.
+pub(super) fn halves(items: &mut [Item], part: &Part, level: u32) -> Halved {
+    if level >= STEEP {
+        return Halved::at(items.len() / 2, items);
     }
-    let mut parts = Vec::with_capacity(CHILDREN);
-    let mut areas = [whole.bounds.half_area(); CHILDREN];
-    parts.push(whole);
-    while parts.len() < CHILDREN {
-        // What is left as a leaf costs no node: it is split only where there is room to spare.
-        let largest = |least: usize| {
-            let open = parts.iter().zip(areas).enumerate().filter(|(_, (part, _))| part.items.len() > least);
-            open.max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|(i, _)| i)
-        };
-        let Some(i) = largest(MOST_IN_LEAF).or_else(|| largest(1)) else { break };
-        let (left, right) = halves(items, &parts[i], level >= STEEP);
-        (areas[i], areas[parts.len()]) = (left.bounds.half_area(), right.bounds.half_area());
-        parts[i] = left;
-        parts.push(right);
+    if items.len() <= FEW {
+        return few(items);
     }
-    parts
-}
-
-fn halves(items: &mut [Item], part: &Part, steep: bool) -> (Part, Part) {
-    let Range { start, end } = part.items;
-    if end - start <= FEW && !steep {
-        return few(items, part);
-    }
-    let plane = if steep { None } else { best(&items[start..end], part.middles) };
-    let Some(plane) = plane else {
-        let middle = start.midpoint(end);
-        return (Part::new(items, start..middle), Part::new(items, middle..end));
-    };
-    let sides = sides::sort(&mut items[start..end], &plane);
-    let middle = start + sides.left;
-    let [left, right] = plane.bounds;
-    let [left_middles, right_middles] = sides.middles;
-    (
-        Part { items: start..middle, bounds: left, middles: left_middles },
-        Part { items: middle..end, bounds: right, middles: right_middles },
-    )
+    let Some(plane) = best(items, part.middles) else { return Halved::at(items.len() / 2, items) };
+    let sides = sides::sort(items, &plane);
+    let [left, right] = [0, 1].map(|side| Part { bounds: plane.bounds[side], middles: sides.middles[side] });
+    Halved { left: sides.left, parts: [left, right] }
 }
 
 /// Parts of so few boxes are sorted instead.
 const FEW: usize = 8;
 
 /// The cheapest place to part a few boxes at, along the axis on which their middles lie widest apart.
-fn few(items: &mut [Item], part: &Part) -> (Part, Part) {
-    let Range { start, end } = part.items;
-    let size = part.middles.high - part.middles.low;
+fn few(items: &mut [Item]) -> Halved {
+    let count = items.len();
+    let part = |bounds| Part { bounds, middles: Bounds::NOTHING };
+    if count == 2 {
+        return Halved { left: 1, parts: [part(items[0].0), part(items[1].0)] };
+    }
+    let middles = items.iter().fold(Bounds::NOTHING, |all, item| all.join(Bounds::at(item.0.middle())));
+    let size = middles.high - middles.low;
     let axis = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
-    let own = &mut items[start..end];
     // By insertion: what is equal stays in its order.
-    for i in 1..own.len() {
+    let mut keys = [0.0; FEW];
+    for i in 0..count {
+        let item = items[i];
+        let key = item.0.low[axis] + item.0.high[axis];
         let mut j = i;
-        while j > 0 && own[j].0.middle()[axis] < own[j - 1].0.middle()[axis] {
-            own.swap(j, j - 1);
+        while j > 0 && key < keys[j - 1] {
+            (keys[j], items[j]) = (keys[j - 1], items[j - 1]);
             j -= 1;
         }
+        (keys[j], items[j]) = (key, item);
     }
-    let mut right = [Bounds::NOTHING; FEW + 1];
-    for (i, item) in own.iter().enumerate().rev() {
-        right[i] = right[i + 1].join(item.0);
+    let mut right = [Bounds::NOTHING; FEW];
+    let mut sum = Bounds::NOTHING;
+    for (right, item) in right.iter_mut().zip(&*items).rev() {
+        sum = sum.join(item.0);
+        *right = sum;
     }
     let mut left = Bounds::NOTHING;
     let mut least = f32::INFINITY;
-    let mut middle = start.midpoint(end);
-    for (i, item) in own.iter().enumerate().take(own.len() - 1) {
-        left = left.join(item.0);
-        let cost = left.half_area() * (i + 1) as f32 + right[i + 1].half_area() * (own.len() - i - 1) as f32;
+    let mut halved = Halved { left: count / 2, parts: [part(left); 2] };
+    for i in 1..count {
+        left = left.join(items[i - 1].0);
+        let cost = left.half_area() * i as f32 + right[i].half_area() * (count - i) as f32;
         if cost < least {
             least = cost;
-            middle = start + i + 1;
+            halved = Halved { left: i, parts: [part(left), part(right[i])] };
         }
     }
-    (Part::new(items, start..middle), Part::new(items, middle..end))
+    if least == f32::INFINITY { Halved::at(count / 2, items) } else { halved }
 }
