@@ -45,6 +45,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 "may round otherwise than the CPU twin; `twinlight compare SCENE` measures it"
             };
             let _ = writeln!(text, "{}: {why}\n  it {alike}", gpu.adapter().name);
+            if gpu.adapter().kind == "software" {
+                text.push_str("  (its kernels run on the processor too: `--backend cpu` is mostly faster)\n");
+            }
         }
         Err(error) => {
             let _ = writeln!(text, "the CPU: {error}");

@@ -54,6 +54,10 @@ impl Walker<'_> {
 
     /// At most eight walks; `false` if they are left to be done one by one.
     fn walk_together(&mut self, rays: &[Ray], walks: &mut [Walk], any: bool) -> bool {
+        let signs = |ray: &Ray| ray.direction.is_negative_bitmask();
+        if rays.iter().any(|ray| signs(ray) != signs(&rays[0])) {
+            return false;
+        }
         let (tables, wides) = (self.tables, self.wides);
         let mut asked =
             Asked { rays: std::array::from_fn(|i| rays[i.min(rays.len() - 1)]), walks, ids: [0; LANES], any };

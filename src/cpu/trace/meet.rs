@@ -1,5 +1,7 @@
 //! a ray and a primitive -> the distance to where they meet, in lengths of the direction, or FAR
 
+#![expect(clippy::inline_always, reason = "see `aim`")]
+
 use glam::Vec3;
 
 use crate::cpu::trace::aim::{Aim, Ray, turned};
@@ -49,7 +51,7 @@ pub fn meet_plane(ray: Ray, plane: &Plane) -> f32 {
 
 /// Edge functions that neighbors share to the bit, so that no ray slips between them: Woop, Benthin and Wald,
 /// "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013. Of corners seen from the ray, in the frame of its aim.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn edges([a, b, c]: [Vec3; 3], aim: &Aim) -> [f32; 3] {
     let ax = a.x - aim.shear.x * a.z;
@@ -62,7 +64,7 @@ pub fn edges([a, b, c]: [Vec3; 3], aim: &Aim) -> [f32; 3] {
 }
 
 /// The spec's inside test (2.3).
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn meet_triangle(ray: Ray, triangle: &Leaf, aim: &Aim) -> f32 {
     let from = [triangle.a, triangle.b, triangle.c].map(|corner| corner - ray.origin);

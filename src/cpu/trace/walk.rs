@@ -1,5 +1,9 @@
 //! a ray and the scene -> its nearest hit, or the first that stands in its way
 
+#![expect(clippy::inline_always, reason = "see `aim`")]
+
+use fearless_simd::{Level, Simd, dispatch};
+
 use crate::cpu::trace::aim::{Aim, Ray};
 use crate::cpu::trace::boxes::boxes_met;
 use crate::cpu::trace::instanced::primitive_at;
@@ -37,7 +41,7 @@ impl Walk {
 }
 
 /// The distance to where a ray meets leaf `i`, which is not a plane.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn meet(ray: Ray, aim: &Aim, per_length_squared: f32, leaf: &Leaf, i: u32) -> f32 {
     if leaf.kind == SPHERE {
@@ -85,6 +89,19 @@ fn is_open(group: [u32; 2]) -> bool {
 /// instances, the last place says in which of them the walk is.
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
+    dispatch!(Level::new(), simd => go_on(simd, tables, stack, ray, start, most, any))
+}
+
+#[inline(always)]
+fn go_on<S: Simd>(
+    simd: S,
+    tables: &Tables,
+    stack: &mut [[u32; 2]],
+    ray: Ray,
+    start: Walk,
+    most: u32,
+    any: bool,
+) -> Walk {
     let mut walk = start;
     planes(tables, ray, &mut walk, most, any);
     let planes = tables.settings.planes;
@@ -142,7 +159,7 @@ pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most
         put(stack, &mut size, group, &mut walk.flags);
         let before = (1 << ((bit - 24) ^ seat.aim.octant)) - 1;
         let node = &tables.nodes[(group[0] + (group[1] & before).count_ones()) as usize];
-        let mut met = boxes_met(node, seat.ray, &seat.aim, walk.t);
+        let mut met = boxes_met(simd, node, seat.ray, &seat.aim, walk.t);
         group = [node.children, (met & NODES) | node.steps >> 24];
         met &= !NODES;
         walk.turns += 1;
