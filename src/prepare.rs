@@ -91,8 +91,16 @@ pub fn prepare_with(scene: &Scene, builder: &dyn bvh::Builder) -> Tables {
     tables
 }
 
-/// Puts the lights and the background of a scene into the tables of another, which has the same things and as many lights.
-pub fn relight(tables: &mut Tables, scene: &Scene) {
+/// Puts the lights, the background and the materials' numbers of a scene into the tables of another, which has the same
+/// things, as many lights, and materials that behave the same and have the same maps.
+pub fn repaint(tables: &mut Tables, scene: &Scene) {
+    // Those of models stand behind them.
+    for (old, new) in tables.materials.iter_mut().zip(&scene.materials) {
+        *old = paint(new);
+    }
+    for (old, new) in tables.paints.iter_mut().zip(&scene.materials) {
+        *old = mesh::recover(new, *old);
+    }
     tables.settings.background = scene.film.background;
     tables.lights = scene.lights.iter().map(lamp).collect();
 }

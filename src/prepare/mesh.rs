@@ -218,11 +218,16 @@ fn lay(map: Option<model::Map>, textures: &[Map]) -> Map {
     map.map_or(BARE, |m| Map { scale: m.scale, shift: m.offset, ..textures[m.texture as usize] })
 }
 
+/// The scene's own material in the place of one with the same maps.
+pub(super) fn recover(m: &Material, old: Paint) -> Paint {
+    Paint { color: m.color * m.local, exponent: m.exponent, ..old }
+}
+
 /// The scene's own material.
 fn cover(m: &Material, textures: &[Map]) -> Paint {
-    Paint {
-        color: m.color * m.local,
-        exponent: m.exponent,
+    let bare = Paint {
+        color: Vec3::ZERO,
+        exponent: 0.0,
         specular: Vec3::ONE,
         bump: m.maps.normal.map_or(1.0, |m| m.strength),
         diffuse_map: lay(m.maps.color, textures),
@@ -230,7 +235,8 @@ fn cover(m: &Material, textures: &[Map]) -> Paint {
         specular_map: lay(m.maps.specular, textures),
         exponent_map: BARE,
         opacity_map: BARE,
-    }
+    };
+    recover(m, bare)
 }
 
 /// A model's.

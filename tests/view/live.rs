@@ -10,7 +10,7 @@ use twinlight::gpu::{Gpu, Screen, Wanted};
 use twinlight::math::Vec3;
 use twinlight::render::live::{Live, Side, Wish};
 use twinlight::render::{Backend, Renderer};
-use twinlight::scene::{Light, Method, Reach, Scene, Triangle};
+use twinlight::scene::{Behavior, Light, Method, Reach, Scene, Triangle};
 use twinlight::view::desk::{Desk, Hand};
 use twinlight::view::keys::Command;
 use twinlight::view::worker::{Inside, Order, Report, Worker};
@@ -102,6 +102,31 @@ fn other_lights_and_another_background_are_taken_up() {
             assert!(live.aim(&wish).expect("a wish"), "{name} is made ready anew");
             let got = last(&gpu, &mut live, [31, 23]);
             assert!(got == words(&wish.scene, method), "{name} {method:?} on the {side:?}");
+        }
+    }
+}
+
+#[test]
+fn other_numbers_of_materials_are_taken_up() {
+    let gpu = gpu();
+    for name in ["room", "room-diffuse", "stones", "dahlia"] {
+        for side in [Side::Gpu, Side::Cpu] {
+            let mut wish = Wish { method: Method::Trace, scene: small(name, [31, 23], 1), side, moving: false };
+            let mut live = open(&gpu, &wish);
+            let before = last(&gpu, &mut live, [31, 23]);
+            for material in &mut wish.scene.materials {
+                material.color = glam::Vec3::new(0.2, 0.7, 0.9) - material.color * 0.2;
+                (material.local, material.reflect, material.exponent) = (0.6, 0.3, 7.0);
+                (material.refract, material.index) = (material.refract * 0.5, material.index + 0.1);
+            }
+            assert!(live.aim(&wish).expect("a wish"), "{name} is made ready anew");
+            let got = last(&gpu, &mut live, [31, 23]);
+            assert!(got != before, "{name}: that is no test");
+            assert!(got == words(&wish.scene, Method::Trace), "{name} on the {side:?}");
+            // Other kernels, or other pictures to read, are another matter.
+            let first = wish.scene.materials.first_mut().expect("a material");
+            first.behavior = if first.behavior == Behavior::Glass { Behavior::Diffuse } else { Behavior::Glass };
+            assert!(!live.aim(&wish).expect("a wish"), "{name} is not made ready anew");
         }
     }
 }

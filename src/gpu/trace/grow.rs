@@ -26,11 +26,17 @@ impl GpuTrace<'_> {
         self.gpu.write(&self.view, &[*view]);
     }
 
-    /// Takes up other lights, as many as there were, and another background.
-    pub fn relight(&mut self, tables: &Tables) {
+    /// Takes up other lights, as many as there were, another background, and other numbers of the same materials.
+    ///
+    /// # Errors
+    /// If the device has no room.
+    pub fn repaint(&mut self, tables: &Tables) -> Result<(), Error> {
+        self.paints = self.gpu.texels("paints", &tables.paints)?;
+        self.gpu.write(&self.materials, &tables.materials);
         self.gpu.write(&self.settings, &[tables.settings]);
         self.gpu.write(&self.lights, &tables.lights);
         self.gpu.write(&self.scene, &[tables.scene()]);
+        Ok(())
     }
 
     /// Work in slices of at most so long: who waits for a window waits for them.

@@ -9,7 +9,7 @@ use crate::cpu::trace::CpuTrace;
 use crate::cpu::{CpuSums, Wides};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuPaths, GpuSums, GpuTrace, Screen};
-use crate::prepare::{relight, view};
+use crate::prepare::{repaint, view};
 use crate::scene::{Scene, Show};
 use crate::tables::{Print, Tables};
 use crate::trace::Paths;
@@ -60,10 +60,11 @@ impl<'g> Traced<'g> {
         if !sees_the_same(was, is) {
             return Ok(false);
         }
-        if was.lights != is.lights || was.film.background != is.film.background {
-            relight(&mut self.tables, is);
+        let background = |scene: &Scene| scene.film.background;
+        if was.lights != is.lights || was.materials != is.materials || background(was) != background(is) {
+            repaint(&mut self.tables, is);
             if let On::Gpu(stages, _) = &mut self.on {
-                stages.relight(&self.tables);
+                stages.repaint(&self.tables)?;
             }
         }
         self.tables.view = view(is);
@@ -146,8 +147,8 @@ impl<'g> Traced<'g> {
     }
 }
 
-/// Whether all that differs is the eye, the film's size and background, the number of samples, and what the lights are
-/// like: what a ray meets is the same.
+/// Whether all that differs is the eye, the film's size and background, the number of samples, and what the lights and the
+/// materials are like: what a ray meets is the same, and so are the kernels.
 fn sees_the_same(a: &Scene, b: &Scene) -> bool {
     let mut film = a.film.clone();
     (film.size, film.background) = (b.film.size, b.film.background);
@@ -157,7 +158,8 @@ fn sees_the_same(a: &Scene, b: &Scene) -> bool {
     steps(a) == steps(b)
         && film == b.film
         && trace == b.trace
-        && a.materials == b.materials
+        && a.materials.len() == b.materials.len()
+        && a.materials.iter().zip(&b.materials).all(|(a, b)| a.behavior == b.behavior && a.maps == b.maps)
         && a.lights.len() == b.lights.len()
         && a.planes == b.planes
 }
