@@ -40,8 +40,8 @@ struct Grid {
 
 /// Many boxes have so many bins along each axis, some have half, and few a quarter as many.
 const MOST: usize = 32;
-const MANY: usize = 192;
-const SOME: usize = 32;
+const MANY: usize = 2048;
+const SOME: usize = 192;
 
 impl Grid {
     fn new(middles: Bounds, bins: usize) -> Self {

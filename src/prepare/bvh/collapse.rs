@@ -7,7 +7,7 @@ use super::ways::{AS_ONE, LARGE, LEAF, Ways};
 use super::{Bounds, MOST_IN_LEAF};
 
 /// What a primitive costs a walk, beside a node.
-const PRIMITIVE: f32 = 0.6;
+const PRIMITIVE: f32 = 0.3;
 
 /// What one to seven roots cost at least; the eighth counts for nothing.
 type Costs = [f32; 8];

@@ -84,7 +84,7 @@ pub(super) fn halves(items: &mut [Item], part: &Part, level: u32) -> Halved {
 }
 
 /// Parts of so few boxes are sorted instead.
-const FEW: usize = 8;
+const FEW: usize = 12;
 
 /// The cheapest place to part a few boxes at, along the axis on which their middles lie widest apart.
 fn few(items: &mut [Item]) -> Halved {
