@@ -55,6 +55,56 @@ fn meet_plane<S: Simd>(simd: S, rays: Rays<S>, plane: &Plane) -> f32x8<S> {
     across.simd_eq(0.0).select(f32x8::splat(simd, FAR), ahead(simd, t))
 }
 
+/// Corners of eight triangles seen from a ray, or of one seen from eight, and what hangs on the ray; the axes in turn, so
+/// that the ray runs along the third most.
+pub(super) struct Seen<S: Simd> {
+    pub(super) corners: [[f32x8<S>; 3]; 3],
+    pub(super) shear: [f32x8<S>; 3],
+    pub(super) inverse: [f32x8<S>; 3],
+    pub(super) own: [f32x8<S>; 3],
+}
+
+impl<S: Simd> Seen<S> {
+    /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and which of those that are
+    /// asked are met up to `most`.
+    #[inline(always)]
+    pub(super) fn meet(&self, asked: mask32x8<S>, most: f32x8<S>) -> (f32x8<S>, mask32x8<S>) {
+        let [a, b, c] = self.corners;
+        let [sx, sy, sz] = self.shear;
+        let ax = a[0] - sx * a[2];
+        let ay = a[1] - sy * a[2];
+        let bx = b[0] - sx * b[2];
+        let by = b[1] - sy * b[2];
+        let cx = c[0] - sx * c[2];
+        let cy = c[1] - sy * c[2];
+        let u = cx * by - cy * bx;
+        let v = ax * cy - ay * cx;
+        let w = bx * ay - by * ax;
+        let area = u + v + w;
+        let below = u.min(v.min(w)).simd_lt(0.0);
+        let above = u.max(v.max(w)).simd_gt(0.0);
+        let inside = asked & !((below & above) | area.simd_eq(0.0));
+        if !inside.any_true() {
+            return (area, inside);
+        }
+        let scaled = u * a[2] + v * b[2] + w * c[2];
+        let (x, y, z) = (self.sides(0), self.sides(1), self.sides(2));
+        let enter = x.0.max(y.0.max(z.0));
+        let leave = x.1.min(y.1.min(z.1));
+        let t = enter.max(leave.min(scaled * sz / area));
+        (t, inside & !enter.simd_gt(leave) & t.simd_gt(0.0) & t.simd_le(most))
+    }
+
+    /// Where a triangle's own box begins and ends on one axis.
+    #[inline(always)]
+    fn sides(&self, axis: usize) -> (f32x8<S>, f32x8<S>) {
+        let [a, b, c] = self.corners;
+        let low = a[axis].min(b[axis].min(c[axis])) * self.inverse[axis];
+        let high = a[axis].max(b[axis].max(c[axis])) * self.inverse[axis];
+        (low.min(high) - self.own[axis], low.max(high) + self.own[axis])
+    }
+}
+
 /// What eight rays have met.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Founds<S: Simd> {

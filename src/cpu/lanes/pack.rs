@@ -7,6 +7,7 @@ use fearless_simd::{f32x8, mask32x8, u32x8};
 use glam::Vec3;
 
 use super::LANES;
+use super::meet::Seen;
 use super::walk::Found;
 use super::wide::Wide;
 use crate::cpu::trace::aim::{Aim, Ray};
@@ -160,42 +161,17 @@ impl<'a, S: Simd> Pack<'a, S> {
         (enter, enter.simd_le(leave))
     }
 
-    /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and who meets it.
+    /// The distances to a triangle, and who of those that ask meets it.
     #[inline(always)]
-    fn triangle(&self, leaf: &Leaf, reach: f32x8<S>) -> (f32x8<S>, mask32x8<S>) {
+    fn triangle(&self, leaf: &Leaf, asking: mask32x8<S>, reach: f32x8<S>) -> (f32x8<S>, mask32x8<S>) {
         let axis = self.seat.aim.axis as usize;
         let axes = [(axis + 1) % 3, (axis + 2) % 3, axis % 3];
         let a = each!(i => f32x8::splat(self.simd, leaf.a[axes[i]]) - self.origin[axes[i]]);
         let b = each!(i => f32x8::splat(self.simd, leaf.b[axes[i]]) - self.origin[axes[i]]);
         let c = each!(i => f32x8::splat(self.simd, leaf.c[axes[i]]) - self.origin[axes[i]]);
-        let [sx, sy, sz] = self.shear;
-        let ax = a[0] - sx * a[2];
-        let ay = a[1] - sy * a[2];
-        let bx = b[0] - sx * b[2];
-        let by = b[1] - sy * b[2];
-        let cx = c[0] - sx * c[2];
-        let cy = c[1] - sy * c[2];
-        let u = cx * by - cy * bx;
-        let v = ax * cy - ay * cx;
-        let w = bx * ay - by * ax;
-        let area = u + v + w;
-        let below = u.min(v.min(w)).simd_lt(0.0);
-        let above = u.max(v.max(w)).simd_gt(0.0);
-        let inside = !((below & above) | area.simd_eq(0.0));
-        if !inside.any_true() {
-            return (area, inside);
-        }
-        let scaled = u * a[2] + v * b[2] + w * c[2];
-        let [x, y, z] = each!(i => {
-            let (inverse, own) = (self.inverse[axes[i]], self.own[axes[i]]);
-            let low = a[i].min(b[i].min(c[i])) * inverse;
-            let high = a[i].max(b[i].max(c[i])) * inverse;
-            (low.min(high) - own, low.max(high) + own)
-        });
-        let enter = x.0.max(y.0.max(z.0));
-        let leave = x.1.min(y.1.min(z.1));
-        let t = enter.max(leave.min(scaled * sz / area));
-        (t, inside & !enter.simd_gt(leave) & t.simd_gt(0.0) & t.simd_le(reach))
+        let inverse = each!(i => self.inverse[axes[i]]);
+        let own = each!(i => self.own[axes[i]]);
+        Seen { corners: [a, b, c], shear: self.shear, inverse, own }.meet(asking, reach)
     }
 
     /// Asks a primitive that is no instance.
@@ -214,8 +190,8 @@ impl<'a, S: Simd> Pack<'a, S> {
             }
             (f32x8::simd_from(simd, t), asking)
         } else {
-            let (t, met) = self.triangle(leaf, found.reach);
-            (t, met & asking & !self.leaves.simd_eq(number))
+            let (t, met) = self.triangle(leaf, asking, found.reach);
+            (t, met & !self.leaves.simd_eq(number))
         };
         let wins = u32x8::splat(simd, id).simd_lt(found.id);
         let mut nearer = met & (t.simd_lt(found.reach) | (t.simd_eq(found.reach) & wins));

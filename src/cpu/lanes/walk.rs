@@ -3,11 +3,12 @@
 //! Children are asked as the ray meets their boxes, not by their places; no order can show in what is found.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, dispatch, f32x8};
+use fearless_simd::{Level, dispatch, f32x8, mask32x8};
 use glam::Vec3;
 
 use super::LANES;
 use super::herd::Open;
+use super::meet::Seen;
 use super::wide::{Block, Wide, Wides};
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::primitive_at;
@@ -250,16 +251,7 @@ impl<S: Simd> Eyes<S> {
         ]
     }
 
-    /// Where the ray crosses the sides of eight triangles' own boxes on one axis.
-    #[inline(always)]
-    fn own_sides(&self, axis: usize, a: f32x8<S>, b: f32x8<S>, c: f32x8<S>) -> (f32x8<S>, f32x8<S>) {
-        let low = a.min(b.min(c)) * self.inverse[axis];
-        let high = a.max(b.max(c)) * self.inverse[axis];
-        (low.min(high) - self.seat.aim.own[axis], low.max(high) + self.seat.aim.own[axis])
-    }
-
-    /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and a bit for each triangle
-    /// that is met up to `most`.
+    /// The distances to a block's triangles, and a bit for each that is met up to `most`.
     #[inline(always)]
     fn triangles(&self, block: &Block, most: f32) -> (f32x8<S>, u32) {
         let axes = [
@@ -270,32 +262,16 @@ impl<S: Simd> Eyes<S> {
         let a = self.from(&block.corners[0], axes);
         let b = self.from(&block.corners[1], axes);
         let c = self.from(&block.corners[2], axes);
-        let [sx, sy, sz] = self.seat.aim.shear.to_array();
-        let ax = a[0] - a[2] * sx;
-        let ay = a[1] - a[2] * sy;
-        let bx = b[0] - b[2] * sx;
-        let by = b[1] - b[2] * sy;
-        let cx = c[0] - c[2] * sx;
-        let cy = c[1] - c[2] * sy;
-        let u = cx * by - cy * bx;
-        let v = ax * cy - ay * cx;
-        let w = bx * ay - by * ax;
-        let area = u + v + w;
-        let below = u.min(v.min(w)).simd_lt(0.0);
-        let above = u.max(v.max(w)).simd_gt(0.0);
-        let inside = !((below & above) | area.simd_eq(0.0));
-        let mut met = inside.to_bitmask() as u32 & block.triangles;
-        if met == 0 {
-            return (area, 0);
-        }
-        let scaled = u * a[2] + v * b[2] + w * c[2];
-        let x = self.own_sides(axes[0], a[0], b[0], c[0]);
-        let y = self.own_sides(axes[1], a[1], b[1], c[1]);
-        let z = self.own_sides(axes[2], a[2], b[2], c[2]);
-        let enter = x.0.max(y.0.max(z.0));
-        let leave = x.1.min(y.1.min(z.1));
-        let t = enter.max(leave.min(scaled * sz / area));
-        met &= (!enter.simd_gt(leave) & t.simd_gt(0.0) & t.simd_le(most)).to_bitmask() as u32;
-        (t, met)
+        let (inverse, aim) = (&self.inverse, &self.seat.aim);
+        let own = splat(self.simd, aim.own);
+        let seen = Seen {
+            corners: [a, b, c],
+            shear: splat(self.simd, aim.shear),
+            inverse: [inverse[axes[0]], inverse[axes[1]], inverse[axes[2]]],
+            own: [own[axes[0]], own[axes[1]], own[axes[2]]],
+        };
+        let asked = mask32x8::from_bitmask(self.simd, u64::from(block.triangles));
+        let (t, met) = seen.meet(asked, f32x8::splat(self.simd, most));
+        (t, met.to_bitmask() as u32)
     }
 }
