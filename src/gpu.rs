@@ -21,7 +21,7 @@ pub use meter::StageTime;
 pub use raster::{GpuImage, GpuRaster, Room, Variant};
 pub use screen::Screen;
 pub use texels::Texels;
-pub use trace::{GpuPaths, GpuSums, GpuTrace};
+pub use trace::{GpuPaths, GpuSums, GpuTrace, fit};
 
 use adapter::IMAGES;
 use meter::Meter;

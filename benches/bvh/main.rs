@@ -17,7 +17,7 @@ use std::process::Command;
 use twinlight::cpu::trace::walk::{Walk, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::gpu::wgsl::Sources;
-use twinlight::gpu::{Binding, Gpu, Kernel, Wanted};
+use twinlight::gpu::{Binding, Gpu, Kernel, Wanted, fit};
 use twinlight::prepare::prepare;
 use twinlight::scene::{self, Scene, Triangle};
 use twinlight::tables::{GROUP, NONE, Tables};
@@ -94,9 +94,7 @@ struct OnGpu<'a> {
 impl<'a> OnGpu<'a> {
     fn new(gpu: &'a Gpu, tables: &'a Tables) -> Self {
         let sources = Sources::default().with("rays", include_str!("rays.wgsl").to_owned());
-        let sources = sources.with_count("deep", tables.deep).with_count("spheres_below", 0);
-        let sources = sources.with_count("pierced", 0).with_count("copies", 0);
-        let kernel = Kernel::new(gpu, &sources, "rays").unwrap_or_else(|e| panic!("{e}"));
+        let kernel = Kernel::new(gpu, &fit(gpu, &sources, tables), "rays").unwrap_or_else(|e| panic!("{e}"));
         Self { gpu, kernel, tables }
     }
 

@@ -15,6 +15,7 @@ pub mod primary;
 pub mod scatter;
 pub mod seat;
 pub mod solid;
+pub mod stack;
 pub mod steps;
 pub mod surface;
 pub mod tree;

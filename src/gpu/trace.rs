@@ -1,8 +1,10 @@
 //! The ray tracer's stages as kernels.
 
+mod fit;
 mod grow;
 mod paths;
 
+pub use fit::fit;
 pub use grow::GpuSums;
 pub use paths::GpuPaths;
 
@@ -10,14 +12,12 @@ use std::time::Instant;
 
 use bytemuck::Zeroable as _;
 
-use super::looks::looks;
 use super::pace::Pace;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::film::Run;
 use crate::tables::{
-    CUT_OUT, CUT_SHORT, DIFFUSE, Few, GLASS, Light, Material, ONE_SIDED, PLANE, Path, STACK_FULL, Settings, Slice,
-    Status, Tables, View, Waiting,
+    CUT_SHORT, Few, Light, Material, Path, STACK_FULL, Settings, Slice, Status, Tables, View, Waiting,
 };
 use crate::trace::{Paths, Trace};
 
@@ -69,27 +69,7 @@ impl<'a> GpuTrace<'a> {
     /// # Errors
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
-        let has = |behavior| tables.materials.iter().any(|material| material.behavior == behavior);
-        let pierced = |by| tables.leaves.iter().any(|leaf| leaf.kind > PLANE && leaf.kind & by != 0);
-        let written_out = [
-            ("diffuse", usize::from(has(DIFFUSE))),
-            ("glass", usize::from(has(GLASS))),
-            ("spheres", tables.spheres.len()),
-            ("planes", tables.planes.len()),
-            ("materials", tables.materials.len()),
-            ("lights", tables.lights.len()),
-            ("spheres_below", tables.spheres.len().min(1)),
-            ("copies", tables.instances.len().min(1)),
-            ("halvings", tables.instances.len().next_power_of_two().ilog2() as usize),
-            ("pierced", usize::from(pierced(ONE_SIDED | CUT_OUT))),
-            ("one_sided", usize::from(pierced(ONE_SIDED))),
-            ("cut_out", usize::from(pierced(CUT_OUT))),
-            ("deep", tables.deep as usize),
-        ];
-        let counted = written_out.into_iter();
-        let settings = &tables.settings;
-        let sources = looks(sources.clone(), &tables.paints, settings.filtering, settings.specular);
-        let sources = &counted.fold(sources, |all, (kind, count)| all.with_count(kind, count as u32));
+        let sources = &fit(gpu, sources, tables);
         let few = tables.few.then(|| Kernel::new(gpu, sources, "trace/few"));
         let [depth, deep] = [tables.settings.max_depth, tables.deep].map(u64::from);
         let a_pixel = depth * size_of::<Waiting>() as u64 + deep * 8 + size_of::<Path>() as u64;

@@ -95,6 +95,7 @@ embed! {
     "trace/scatter",
     "trace/seat",
     "trace/solid",
+    "trace/stack",
     "trace/steps",
     "trace/surface",
     "trace/tree",

@@ -3,10 +3,12 @@
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::gpu::GpuTrace;
 use twinlight::gpu::wgsl::Sources;
-use twinlight::tables::{Slice, Status, Tables};
+use twinlight::math::Vec3;
+use twinlight::tables::{NONE, Slice, Status, Tables};
 use twinlight::trace::{Paths, Trace};
 
-use super::{gpu, random_scene, root, small, tables_of};
+use super::bvh::{deep, scene_of};
+use super::{gpu, on_cpu, random_scene, root, small, tables_of};
 
 #[derive(Debug, Clone, Copy)]
 enum Stage {
@@ -81,6 +83,19 @@ fn stages_of_shipped_scenes_are_the_same() {
         walk_along(&tables, 8000, 5, name);
         walk_along(&tables, 11, 12, name);
     }
+}
+
+/// Too deep for a stack whose places are each asked whether they are the one that is meant.
+#[test]
+fn stages_of_a_deep_tree_are_the_same() {
+    let mut scene = scene_of(&deep());
+    scene.resize([41, 27]).expect("a small film fits");
+    (scene.camera.position, scene.camera.look_at) = (Vec3::new(1.5, 0.7, 1.1), Vec3::ZERO);
+    let tables = tables_of(&scene);
+    let seen = on_cpu(&tables).ids().iter().filter(|id| **id != NONE).count();
+    assert!(tables.deep > 20 && seen > 300, "{} deep, {seen} seen: that is no test", tables.deep);
+    walk_along(&tables, 8000, 4, "a deep tree");
+    walk_along(&tables, 11, 12, "a deep tree");
 }
 
 #[test]

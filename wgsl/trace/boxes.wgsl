@@ -31,6 +31,15 @@ fn bits_of(kinds: u32, octant: u32) -> vec4u {
     return (kind >> vec4u(5u)) << place;
 }
 
+// See `lesser`: what is no number is left out, if `b` is one.
+fn larger_of(a: vec4f, b: vec4f) -> vec4f {
+    return select(b, a, a > b);
+}
+
+fn lesser_of(a: vec4f, b: vec4f) -> vec4f {
+    return select(b, a, a < b);
+}
+
 fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
     let exponents = bytes(node.steps);
     let corner = node.corner - ray.origin;
@@ -53,8 +62,8 @@ fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
         let leave_x = steps(far_x[$i]) * x.step + x.far;
         let leave_y = steps(far_y[$i]) * y.step + y.far;
         let leave_z = steps(far_z[$i]) * z.step + z.far;
-        let enter = max(max(enter_x, enter_y), max(enter_z, vec4f(0.0)));
-        let leave = min(min(leave_x, leave_y), min(leave_z, vec4f(t)));
+        let enter = larger_of(enter_x, larger_of(enter_y, larger_of(enter_z, vec4f(0.0))));
+        let leave = lesser_of(leave_x, lesser_of(leave_y, lesser_of(leave_z, vec4f(t))));
         let bits = select(vec4u(0u), bits_of(node.kinds[$i], aim.octant), enter <= leave);
         met |= (bits.x | bits.y) | (bits.z | bits.w);
     }

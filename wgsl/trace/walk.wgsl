@@ -10,6 +10,7 @@
 #import "trace/solid.wgsl"
 #import "trace/boxes.wgsl"
 #import "trace/instanced.wgsl"
+#import "trace/stack.wgsl"
 
 @group(0) @binding(0) var<uniform> settings: Settings;
 // Tables in textures: a software adapter reads these four words at a time, and buffers word by word.
@@ -33,16 +34,6 @@ fn leaf_at(i: u32) -> Leaf {
     return Leaf(bitcast<vec3f>(a.xyz), a.w, bitcast<vec3f>(b.xyz), b.w, bitcast<vec3f>(c.xyz), c.w);
 }
 
-// Nodes on the longest way from the root down.
-const DEEP: u32 = $deep;
-// Places for what is to be asked: where there are instances, the last says in which of them the walk is.
-const ROOM: u32 = DEEP - u32($copies);
-
-// The children of nodes that are still to be asked: where all of a node's begin; a bit for each from bit 24 up, the
-// next one the highest; and below bit 8, which of the places hold nodes. Or instances that are still to be asked: where
-// a node's leaves begin, with INSTANCES, and a bit for each.
-var<private> stack: array<vec2u, DEEP>;
-
 // Where a walk is, and what it has found.
 struct Walk {
     // Only what is nearer than this counts; the distance to the hit once there is one.
@@ -55,28 +46,6 @@ struct Walk {
     turns: u32,
     // CUT_SHORT and STACK_FULL.
     flags: u32,
-}
-
-const NODES: u32 = 0xff000000u;
-const INSTANCES: u32 = 0x80000000u;
-
-// Whether there is anything left to ask.
-fn is_open(group: vec2u) -> bool {
-    var open = group.y >= 1u << 24u;
-    #repeat copies
-    open = open || (group.x >= INSTANCES && group.y != 0u);
-    #end
-    return open;
-}
-
-// Keeps what is left of a group for later; how much is on the stack then.
-fn put(group: vec2u, size: u32, walk: ptr<function, Walk>) -> u32 {
-    if (is_open(group) && size < ROOM) {
-        stack[size] = group;
-        return size + 1u;
-    }
-    (*walk).flags |= select(0u, STACK_FULL, is_open(group));
-    return size;
 }
 
 fn over(walk: Walk, any: bool) -> bool {
@@ -92,6 +61,10 @@ fn meet(ray: Ray, aim: Aim, per_length_squared: f32, leaf: Leaf, i: u32) -> f32 
     #end
     return select(meet_triangle(ray, leaf, aim), FAR, ray.leaves == i);
 }
+
+// Nodes in a row, at most, before the lanes that have found primitives ask them, while others are still looking for
+// some: a software adapter goes through the loop over primitives even where no lane has any.
+const IN_A_ROW: u32 = 4u;
 
 // Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
 // With `any`, stops at the first that is met.
@@ -135,47 +108,57 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     var entered = within;
     #end
     while (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || is_open(group))) {
-        #repeat copies
-        if (within != NONE && size == base && !is_open(group)) {
-            // Back to the world.
-            within = NONE;
-            entered = NONE;
-            seat = in_world(ray);
-        }
-        #end
-        if (!is_open(group)) {
-            size -= 1u;
-            group = stack[size];
-        }
-        #repeat copies
-        if (group.x >= INSTANCES) {
-            // The next of some instances: its root, the only child of nothing.
-            within = leaf_at((group.x ^ INSTANCES) + firstTrailingBit(group.y)).material;
-            group.y &= group.y - 1u;
+        // The first of a node's primitives, and a bit for each that is to be asked.
+        var first = 0u;
+        var met = 0u;
+        var nodes = 0u;
+        loop {
+            #repeat copies
+            if (within != NONE && size == base && !is_open(group)) {
+                // Back to the world.
+                within = NONE;
+                entered = NONE;
+                seat = in_world(ray);
+            }
+            #end
+            let closed = !is_open(group);
+            size -= select(0u, 1u, closed);
+            group = in_hand(group, closed, size);
+            #repeat copies
+            if (group.x >= INSTANCES) {
+                // The next of some instances: its root, the only child of nothing.
+                within = leaf_at((group.x ^ INSTANCES) + firstTrailingBit(group.y)).material;
+                group.y &= group.y - 1u;
+                size = put(group, size, &walk);
+                base = size;
+                entered = within;
+                group = vec2u(instance_at(within).root, 0x80000000u);
+            }
+            if (entered != NONE) {
+                seat = in_instance(ray, entered);
+                entered = NONE;
+            }
+            #end
+            let bit = firstLeadingBit(group.y);
+            group.y ^= 1u << bit;
             size = put(group, size, &walk);
-            base = size;
-            entered = within;
-            group = vec2u(instance_at(within).root, 0x80000000u);
+            let before = (1u << ((bit - 24u) ^ seat.aim.octant)) - 1u;
+            let node = node_at(group.x + countOneBits(group.y & before));
+            met = boxes_met(node, seat.ray, seat.aim, walk.t);
+            group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
+            met &= ~NODES;
+            first = node.leaves;
+            walk.turns += 1u;
+            nodes += 1u;
+            continuing {
+                break if met != 0u || nodes == IN_A_ROW || walk.turns >= most || !(size > 0u || is_open(group));
+            }
         }
-        if (entered != NONE) {
-            seat = in_instance(ray, entered);
-            entered = NONE;
-        }
-        #end
-        let bit = firstLeadingBit(group.y);
-        group.y ^= 1u << bit;
-        size = put(group, size, &walk);
-        let before = (1u << ((bit - 24u) ^ seat.aim.octant)) - 1u;
-        let node = node_at(group.x + countOneBits(group.y & before));
-        var met = boxes_met(node, seat.ray, seat.aim, walk.t);
-        group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
-        met &= ~NODES;
-        walk.turns += 1u;
         // Those of the primitives that are instances.
         var later = 0u;
         while (met != 0u && !(any && walk.hit != NONE)) {
             let place = firstTrailingBit(met);
-            let i = node.leaves + place;
+            let i = first + place;
             met &= met - 1u;
             let leaf = leaf_at(i);
             walk.turns += 1u;
@@ -202,7 +185,7 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
         #repeat copies
         if (later != 0u) {
             size = put(group, size, &walk);
-            group = vec2u(node.leaves | INSTANCES, later);
+            group = vec2u(first | INSTANCES, later);
         }
         #end
     }

@@ -63,28 +63,51 @@ pub fn edges([a, b, c]: [Vec3; 3], aim: &Aim) -> [f32; 3] {
     [cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax]
 }
 
+/// As processors have it: `b`, if one of them is no number.
+#[inline(always)]
+fn lesser(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// See [`lesser`].
+#[inline(always)]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+#[inline(always)]
+fn least([x, y, z]: [f32; 3]) -> f32 {
+    lesser(x, lesser(y, z))
+}
+
+#[inline(always)]
+fn most([x, y, z]: [f32; 3]) -> f32 {
+    larger(x, larger(y, z))
+}
+
 /// The spec's inside test (2.3).
 #[inline(always)]
 #[must_use]
 pub fn meet_triangle(ray: Ray, triangle: &Leaf, aim: &Aim) -> f32 {
     let from = [triangle.a, triangle.b, triangle.c].map(|corner| corner - ray.origin);
     let [a, b, c] = from.map(|corner| turned(corner, aim.axis));
-    let [u, v, w] = edges([a, b, c], aim);
+    let parts @ [u, v, w] = edges([a, b, c], aim);
     let area = u + v + w;
-    if (u.min(v.min(w)) < 0.0 && u.max(v.max(w)) > 0.0) || area == 0.0 {
+    if (least(parts) < 0.0 && most(parts) > 0.0) || area == 0.0 {
         return FAR;
     }
     let scaled = u * a.z + v * b.z + w * c.z;
     // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box, so
     // that no node hides what a test would find.
-    let low = from[0].min(from[1].min(from[2])) * aim.inverse;
-    let high = from[0].max(from[1].max(from[2])) * aim.inverse;
-    let near = low.min(high) - aim.own;
-    let far = low.max(high) + aim.own;
-    let enter = near.x.max(near.y.max(near.z));
-    let leave = far.x.min(far.y.min(far.z));
+    let low = from[0].min(from[1].min(from[2]));
+    let high = from[0].max(from[1].max(from[2]));
+    let back = aim.inverse.cmplt(Vec3::ZERO);
+    let near = Vec3::select(back, high, low) * aim.inverse - aim.own;
+    let far = Vec3::select(back, low, high) * aim.inverse + aim.own;
+    let enter = most(near.to_array());
+    let leave = least(far.to_array());
     if enter > leave {
         return FAR;
     }
-    ahead(enter.max(leave.min(scaled * aim.shear.z / area)))
+    ahead(larger(enter, lesser(leave, scaled * aim.shear.z / area)))
 }

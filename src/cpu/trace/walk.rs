@@ -9,7 +9,8 @@ use crate::cpu::trace::boxes::boxes_met;
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
 use crate::cpu::trace::seat::Seat;
-use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, STACK_FULL, Sphere, Tables};
+use crate::cpu::trace::stack::{INSTANCES, NODES, is_open, put};
+use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, Sphere, Tables};
 
 /// Where a walk is, and what it has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +23,7 @@ pub struct Walk {
     pub next: u32,
     /// Steps taken: a node or a primitive asked is one.
     pub turns: u32,
-    /// [`STACK_FULL`].
+    /// [`STACK_FULL`](crate::tables::STACK_FULL).
     pub flags: u32,
 }
 
@@ -69,17 +70,6 @@ pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) 
     }
 }
 
-/// A child that is a node, and no primitive.
-const NODES: u32 = 0xff00_0000;
-
-/// Instances that are still to be asked, in the place of children.
-const INSTANCES: u32 = 0x8000_0000;
-
-/// Whether there is anything left to ask.
-fn is_open(group: [u32; 2]) -> bool {
-    group[1] >= 1 << 24 || (group[0] >= INSTANCES && group[1] != 0)
-}
-
 /// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
 /// With `any`, stops at the first that is met.
 ///
@@ -124,16 +114,6 @@ fn go_on<S: Simd>(
             seat = Seat::in_instance(tables, ray, placed);
         }
     }
-    let put = |stack: &mut [[u32; 2]], size: &mut usize, group: [u32; 2], flags: &mut u32| {
-        if is_open(group) {
-            if *size < room {
-                stack[*size] = group;
-                *size += 1;
-            } else {
-                *flags |= STACK_FULL;
-            }
-        }
-    };
     while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
         if within != NONE && size == base as usize && !is_open(group) {
             // Back to the world.
@@ -148,7 +128,7 @@ fn go_on<S: Simd>(
             // The next of some instances: its root, the only child of nothing.
             within = tables.leaves[((group[0] ^ INSTANCES) + group[1].trailing_zeros()) as usize].material;
             group[1] &= group[1] - 1;
-            put(stack, &mut size, group, &mut walk.flags);
+            size = put(stack, room, group, size, &mut walk.flags);
             base = size as u32;
             let placed = &tables.instances[within as usize];
             seat = Seat::in_instance(tables, ray, placed);
@@ -156,7 +136,7 @@ fn go_on<S: Simd>(
         }
         let bit = group[1].ilog2();
         group[1] ^= 1 << bit;
-        put(stack, &mut size, group, &mut walk.flags);
+        size = put(stack, room, group, size, &mut walk.flags);
         let before = (1 << ((bit - 24) ^ seat.aim.octant)) - 1;
         let node = &tables.nodes[(group[0] + (group[1] & before).count_ones()) as usize];
         let mut met = boxes_met(simd, node, seat.ray, &seat.aim, walk.t);
@@ -185,11 +165,11 @@ fn go_on<S: Simd>(
             }
         }
         if later != 0 {
-            put(stack, &mut size, group, &mut walk.flags);
+            size = put(stack, room, group, size, &mut walk.flags);
             group = [node.leaves | INSTANCES, later];
         }
     }
-    put(stack, &mut size, group, &mut walk.flags);
+    size = put(stack, room, group, size, &mut walk.flags);
     if room < stack.len() {
         stack[room] = [within, base];
     }
