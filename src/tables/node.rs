@@ -9,15 +9,16 @@ use glam::Vec3;
 pub struct Node {
     /// The lower corner of all boxes.
     pub corner: Vec3,
-    /// The biased exponents of a step in x, y and z; then a bit for each child that is a node.
+    /// The biased exponents of a step in x, y and z.
     pub steps: u32,
     /// The first of the children that are nodes.
     pub children: u32,
     /// The first of the primitives.
     pub leaves: u32,
-    /// A byte for each child. 0: none; 001 and 24 + its number: a node; else as many ones in the upper three bits as
-    /// it has primitives, and in the others which of them is its first.
-    pub kinds: [u32; 2],
+    /// A bit for each child that is a node, from bit 24 up.
+    pub inner: u32,
+    /// Three bits for each child: as many ones, from the lowest up, as it has primitives.
+    pub held: u32,
     /// A byte for each child: steps from the corner.
     pub low_x: [u32; 2],
     /// As `low_x`.

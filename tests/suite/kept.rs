@@ -122,14 +122,17 @@ fn a_forged_tree_is_not_walked() {
     let whole = std::fs::read(file(folder)).expect("a file");
     let order = HEAD + right.nodes.len() * NODE;
     // Of the root, the last node, the order and the head.
-    let root_kinds = HEAD + 24;
-    let forgeries: [(&str, usize, &[u8]); 8] = [
+    let [root_inner, root_held] = [HEAD + 24, HEAD + 28];
+    let forgeries: [(&str, usize, &[u8]); 11] = [
         ("its own child", HEAD + 16, &[0; 4]),
         ("children beyond the end", HEAD + 16, &u32::MAX.to_le_bytes()),
         ("children of another", HEAD + 16, &2_u32.to_le_bytes()),
         ("leaves beyond the end", order - NODE + 20, &u32::MAX.to_le_bytes()),
-        ("a kind that is none", root_kinds, &[0xff]),
-        ("a child too few", root_kinds, &[0]),
+        ("a node where there is none", root_inner, &[1]),
+        ("a child that is both", root_held, &[0xff; 3]),
+        ("more children than eight", root_held + 3, &[1]),
+        ("a child too few", root_inner + 3, &[0x7f]),
+        ("a leaf without its first", order - NODE + 28, &[0o66, 0o66]),
         ("a box that is not there", order, &u32::MAX.to_le_bytes()),
         ("another depth", 56, &[99, 0, 0, 0]),
     ];

@@ -103,7 +103,7 @@ fn structs_are_the_same() {
         mirror!(module, Leaf { a, id, b, material, c, kind }),
         mirror!(
             module,
-            Node { corner, steps, children, leaves, kinds, low_x, low_y, low_z, high_x, high_y, high_z }
+            Node { corner, steps, children, leaves, inner, held, low_x, low_y, low_z, high_x, high_y, high_z }
         ),
         mirror!(
             module,

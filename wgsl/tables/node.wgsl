@@ -3,15 +3,16 @@
 struct Node {
     // The lower corner of all boxes.
     corner: vec3f,
-    // The biased exponents of a step in x, y and z; then a bit for each child that is a node.
+    // The biased exponents of a step in x, y and z.
     steps: u32,
     // The first of the children that are nodes.
     children: u32,
     // The first of the primitives.
     leaves: u32,
-    // A byte for each child. 0: none; 001 and 24 + its number: a node; else as many ones in the upper three bits as
-    // it has primitives, and in the others which of them is its first.
-    kinds: vec2u,
+    // A bit for each child that is a node, from bit 24 up.
+    inner: u32,
+    // Three bits for each child: as many ones, from the lowest up, as it has primitives.
+    held: u32,
     // A byte for each child: steps from the corner.
     low_x: vec2u,
     low_y: vec2u,

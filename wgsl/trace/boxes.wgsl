@@ -1,4 +1,4 @@
-// a ray and a node -> which of the node's children it may meet up to t, in the order in which they are to be asked
+// a ray and a node -> which of the node's children and primitives it may meet up to t
 #import "tables/node.wgsl"
 #import "trace/aim.wgsl"
 
@@ -23,13 +23,11 @@ fn axis_of(exponent: u32, corner: f32, inverse: f32, slack: f32) -> Axis {
     return Axis(bitcast<f32>(exponent << 23u) * inverse, at - slack, at + slack);
 }
 
-// Two ranks of bits: a node's child at 24 and its place, a leaf's primitives at their numbers.
-fn bits_of(kinds: u32, octant: u32) -> vec4u {
-    let kind = bytes(kinds);
-    let number = kind & vec4u(31u);
-    let place = number ^ select(vec4u(0u), vec4u(octant), number >= vec4u(24u));
-    return (kind >> vec4u(5u)) << place;
-}
+// What each child may have: three bits for its primitives, and one, from bit 24 up, for itself.
+const MAY_HAVE = array(
+    vec4u(0x01000007u, 0x02000038u, 0x040001c0u, 0x08000e00u),
+    vec4u(0x10007000u, 0x20038000u, 0x401c0000u, 0x80e00000u),
+);
 
 // See `lesser`: what is no number is left out, if `b` is one.
 fn larger_of(a: vec4f, b: vec4f) -> vec4f {
@@ -64,9 +62,9 @@ fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
         let leave_z = steps(far_z[$i]) * z.step + z.far;
         let enter = larger_of(enter_x, larger_of(enter_y, larger_of(enter_z, vec4f(0.0))));
         let leave = lesser_of(leave_x, lesser_of(leave_y, lesser_of(leave_z, vec4f(t))));
-        let bits = select(vec4u(0u), bits_of(node.kinds[$i], aim.octant), enter <= leave);
+        let bits = select(vec4u(0u), MAY_HAVE[$i], enter <= leave);
         met |= (bits.x | bits.y) | (bits.z | bits.w);
     }
     #end
-    return met;
+    return met & (node.inner | node.held);
 }

@@ -24,7 +24,7 @@ fn node_at(i: u32) -> Node {
     let c = texel(nodes, i * 5u + 2u);
     let d = texel(nodes, i * 5u + 3u);
     let e = texel(nodes, i * 5u + 4u);
-    return Node(bitcast<vec3f>(a.xyz), a.w, b.x, b.y, b.zw, c.xy, c.zw, d.xy, d.zw, e.xy, e.zw);
+    return Node(bitcast<vec3f>(a.xyz), a.w, b.x, b.y, b.z, b.w, c.xy, c.zw, d.xy, d.zw, e.xy, e.zw);
 }
 
 fn leaf_at(i: u32) -> Leaf {
@@ -108,8 +108,9 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     var entered = within;
     #end
     while (walk.turns < most && !(any && walk.hit != NONE) && (size > 0u || is_open(group))) {
-        // The first of a node's primitives, and a bit for each that is to be asked.
+        // The first of a node's primitives, which there are, and which of those are to be asked.
         var first = 0u;
+        var held = 0u;
         var met = 0u;
         var nodes = 0u;
         loop {
@@ -139,15 +140,15 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
                 entered = NONE;
             }
             #end
-            let bit = firstLeadingBit(group.y);
-            group.y ^= 1u << bit;
+            let place = first_of(group, seat.aim.octant);
+            group.y ^= 0x01000000u << place;
             size = put(group, size, &walk);
-            let before = (1u << ((bit - 24u) ^ seat.aim.octant)) - 1u;
-            let node = node_at(group.x + countOneBits(group.y & before));
+            let node = node_at(group.x + countOneBits(group.y & ((1u << place) - 1u)));
             met = boxes_met(node, seat.ray, seat.aim, walk.t);
-            group = vec2u(node.children, (met & NODES) | (node.steps >> 24u));
-            met &= ~NODES;
+            group = vec2u(node.children, (met & NODES) | (node.inner >> 24u));
+            met &= PRIMITIVES;
             first = node.leaves;
+            held = node.held;
             walk.turns += 1u;
             nodes += 1u;
             continuing {
@@ -157,7 +158,7 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
         // Those of the primitives that are instances.
         var later = 0u;
         while (met != 0u && !(any && walk.hit != NONE)) {
-            let place = firstTrailingBit(met);
+            let place = countOneBits(held & ~met & (met - 1u));
             let i = first + place;
             met &= met - 1u;
             let leaf = leaf_at(i);

@@ -76,8 +76,7 @@ impl Wides {
 
 /// A node whose children are leaves; what is around its other children is not known yet.
 fn wide(node: &Node, leaves: &[Leaf], blocks: &mut Vec<Block>) -> Wide {
-    let kinds: [u8; LANES] = bytemuck::cast(node.kinds);
-    let inner = node.steps >> 24;
+    let inner = node.inner >> 24;
     let nothing: [[f32; LANES]; 6] =
         std::array::from_fn(|side| [if side % 2 == 0 { f32::INFINITY } else { f32::NEG_INFINITY }; LANES]);
     let mut wide = Wide {
@@ -90,9 +89,9 @@ fn wide(node: &Node, leaves: &[Leaf], blocks: &mut Vec<Block>) -> Wide {
         held: [0; 3],
     };
     let mut count = 0;
-    for (child, kind) in kinds.into_iter().enumerate().filter(|(i, kind)| *kind != 0 && inner & 1 << i == 0) {
-        let (first, many) = (usize::from(kind & 31), (kind >> 5).count_ones() as usize);
-        count = count.max(first + many);
+    for child in (0..LANES).filter(|child| node.held >> (3 * child) & 7 != 0) {
+        let (first, many) = (count, (node.held >> (3 * child) & 7).count_ones() as usize);
+        count += many;
         wide.taken |= 1 << child;
         wide.many |= (many as u32) << (2 * child);
         wide.children[child] = node.leaves + first as u32;

@@ -1,64 +1,96 @@
-//! a ray and a node -> which of the node's children it may meet up to t, in the order in which they are to be asked
+//! a ray and a node -> which of the node's children and primitives it may meet up to t
 
 #![expect(clippy::inline_always, reason = "see `aim`")]
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x8, i32x8, u32x8};
+use fearless_simd::{f32x4, f32x8, i32x8, u8x16, u32x4, u32x8};
+use glam::Vec3;
 
 use crate::cpu::trace::aim::{Aim, Ray};
 use crate::tables::Node;
 
-/// Where the ray is on one axis: at `near + step * byte` it crosses a near side, at `far + step * byte` a far one.
+/// Eight bytes as numbers. Of an array of bytes the compiler makes shifts of twice the width.
+#[inline(always)]
+fn widened<S: Simd>(simd: S, [low, high]: [u32; 2]) -> u32x8<S> {
+    let bytes: u8x16<S> = u32x4::simd_from(simd, [low, high, 0, 0]).bitcast();
+    let (low, high) = simd.widen_u16x8(simd.widen_u8x16(bytes).0);
+    simd.combine_u32x4(low, high)
+}
+
+#[inline(always)]
+fn four<S: Simd>(simd: S, v: Vec3) -> f32x4<S> {
+    f32x4::simd_from(simd, [v.x, v.y, v.z, 0.0])
+}
+
+/// A ray as boxes ask for it: at `corner - origin` times `inverse`, less or more `slack`, it crosses a corner's planes.
 #[derive(Debug, Clone, Copy)]
-struct Axis {
-    step: f32,
-    near: f32,
-    far: f32,
+pub struct Gaze<S: Simd> {
+    origin: f32x4<S>,
+    inverse: f32x4<S>,
+    slack: f32x4<S>,
+    /// Which rows of a node hold the near sides, and which the far ones.
+    near: [usize; 3],
+    far: [usize; 3],
 }
 
+/// A node's words: rows 4 to 6 are the low sides, 7 to 9 the high ones.
+type Rows = [[u32; 2]; 10];
+
+/// The rows of one axis.
 #[inline(always)]
-fn axis_of(exponent: u32, corner: f32, inverse: f32, slack: f32) -> Axis {
-    let at = corner * inverse;
-    Axis { step: f32::from_bits((exponent & 255) << 23) * inverse, near: at - slack, far: at + slack }
+fn rows(axis: usize, inverse: f32) -> (usize, usize) {
+    if inverse < 0.0 { (7 + axis, 4 + axis) } else { (4 + axis, 7 + axis) }
 }
 
-/// A byte for each child.
-#[inline(always)]
-fn bytes<S: Simd>(simd: S, words: [u32; 2]) -> i32x8<S> {
-    i32x8::simd_from(simd, bytemuck::cast::<_, [u8; 8]>(words).map(i32::from))
+impl<S: Simd> Gaze<S> {
+    /// Of a ray in world space, or in an instance's.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(simd: S, ray: Ray, aim: &Aim) -> Self {
+        let (x, y, z) = (rows(0, aim.inverse.x), rows(1, aim.inverse.y), rows(2, aim.inverse.z));
+        let (origin, inverse, slack) = (four(simd, ray.origin), four(simd, aim.inverse), four(simd, aim.slack));
+        Self { origin, inverse, slack, near: [x.0, y.0, z.0], far: [x.1, y.1, z.1] }
+    }
 }
 
-/// Where the ray crosses the near sides, and the far ones.
+/// Where the ray crosses one side of each child's box.
 #[inline(always)]
-fn sides<S: Simd>(simd: S, axis: Axis, back: bool, low: [u32; 2], high: [u32; 2]) -> (f32x8<S>, f32x8<S>) {
-    let (near, far) = if back { (high, low) } else { (low, high) };
-    let at = |q, from| f32x8::float_from(bytes(simd, q)) * axis.step + from;
-    (at(near, axis.near), at(far, axis.far))
+fn crossed<S: Simd>(simd: S, bytes: [u32; 2], step: f32, from: f32) -> f32x8<S> {
+    let bytes: i32x8<S> = widened(simd, bytes).bitcast();
+    f32x8::float_from(bytes) * step + from
 }
 
-/// Two ranks of bits: a node's child at 24 and its place, a leaf's primitives at their numbers.
-#[inline(always)]
-fn bits_of<S: Simd>(simd: S, kinds: [u32; 2], octant: u32) -> u32x8<S> {
-    let kinds: u32x8<S> = bytes(simd, kinds).bitcast();
-    let number = kinds & 31;
-    let place = number.simd_ge(24).select(number ^ octant, number);
-    (kinds >> 5) << place
-}
+/// What each set of children may have: three bits for a child's primitives, and one, from bit 24 up, for itself.
+const MAY_HAVE: [u32; 256] = {
+    let mut all = [0; 256];
+    let mut i = 0;
+    while i < 256 * 8 {
+        let (set, child) = (i >> 3, i & 7);
+        if set >> child & 1 == 1 {
+            all[set] |= 7 << (3 * child) | 1 << (24 + child);
+        }
+        i += 1;
+    }
+    all
+};
 
 /// Twin of the kernel's, for all eight children at once.
 #[inline(always)]
 #[must_use]
-pub fn boxes_met<S: Simd>(simd: S, node: &Node, ray: Ray, aim: &Aim, t: f32) -> u32 {
-    let corner = node.corner - ray.origin;
-    let x = axis_of(node.steps, corner.x, aim.inverse.x, aim.slack.x);
-    let y = axis_of(node.steps >> 8, corner.y, aim.inverse.y, aim.slack.y);
-    let z = axis_of(node.steps >> 16, corner.z, aim.inverse.z, aim.slack.z);
-    let x = sides(simd, x, aim.inverse.x < 0.0, node.low_x, node.high_x);
-    let y = sides(simd, y, aim.inverse.y < 0.0, node.low_y, node.high_y);
-    let z = sides(simd, z, aim.inverse.z < 0.0, node.low_z, node.high_z);
-    let enter = x.0.max(y.0).max(z.0.max(f32x8::splat(simd, 0.0)));
-    let leave = x.1.min(y.1).min(z.1.min(f32x8::splat(simd, t)));
-    let met = enter.simd_le(leave).select(bits_of(simd, node.kinds, aim.octant), u32x8::splat(simd, 0));
-    let [a, b, c, d, e, f, g, h] = met.to_array();
-    ((a | b) | (c | d)) | ((e | f) | (g | h))
+pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> u32 {
+    let (exponents, _) = (widened(simd, [node.steps, 0]) << 23).split();
+    let step: f32x4<S> = exponents.bitcast();
+    let [x, y, z, _] = (step * gaze.inverse).to_array();
+    let at = (four(simd, node.corner) - gaze.origin) * gaze.inverse;
+    let [near, far] = [(at - gaze.slack).to_array(), (at + gaze.slack).to_array()];
+    let rows: &Rows = bytemuck::cast_ref(node);
+    let enter_x = crossed(simd, rows[gaze.near[0]], x, near[0]);
+    let enter_y = crossed(simd, rows[gaze.near[1]], y, near[1]);
+    let enter_z = crossed(simd, rows[gaze.near[2]], z, near[2]);
+    let leave_x = crossed(simd, rows[gaze.far[0]], x, far[0]);
+    let leave_y = crossed(simd, rows[gaze.far[1]], y, far[1]);
+    let leave_z = crossed(simd, rows[gaze.far[2]], z, far[2]);
+    let enter = enter_x.max(enter_y).max(enter_z.max(f32x8::splat(simd, 0.0)));
+    let leave = leave_x.min(leave_y).min(leave_z.min(f32x8::splat(simd, t)));
+    MAY_HAVE[enter.simd_le(leave).to_bitmask() as usize % 256] & (node.inner | node.held)
 }

@@ -4,8 +4,11 @@
 
 use crate::tables::STACK_FULL;
 
-/// A child that is a node, and no primitive.
+/// The children that are nodes.
 pub const NODES: u32 = 0xff00_0000;
+
+/// The primitives of the others.
+pub const PRIMITIVES: u32 = 0x00ff_ffff;
 
 /// Instances that are still to be asked, in the place of children.
 pub const INSTANCES: u32 = 0x8000_0000;
@@ -15,6 +18,28 @@ pub const INSTANCES: u32 = 0x8000_0000;
 #[must_use]
 pub fn is_open(group: [u32; 2]) -> bool {
     group[1] >= 1 << 24 || (group[0] >= INSTANCES && group[1] != 0)
+}
+
+/// Of each set of places the one that is asked first: whose `place ^ octant` is the highest.
+const FIRST: [[u8; 256]; 8] = {
+    let mut all = [[0; 256]; 8];
+    let mut i = 0;
+    // In the order of `place ^ octant`, so that the last one stays.
+    while i < 8 * 256 * 8 {
+        let (octant, set, place) = (i >> 11, i >> 3 & 255, (i & 7) ^ (i >> 11));
+        if set >> place & 1 == 1 {
+            all[octant][set] = place as u8;
+        }
+        i += 1;
+    }
+    all
+};
+
+/// The place of the child that is asked first, of a group of nodes.
+#[inline(always)]
+#[must_use]
+pub fn first_of(group: [u32; 2], octant: u32) -> u32 {
+    u32::from(FIRST[octant as usize % 8][(group[1] >> 24) as usize])
 }
 
 /// Keeps what is left of a group for later; how much is on the stack then. It holds `room` groups.

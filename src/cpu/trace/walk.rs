@@ -5,11 +5,11 @@
 use fearless_simd::{Level, Simd, dispatch};
 
 use crate::cpu::trace::aim::{Aim, Ray};
-use crate::cpu::trace::boxes::boxes_met;
+use crate::cpu::trace::boxes::{Gaze, boxes_met};
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::stack::{INSTANCES, NODES, is_open, put};
+use crate::cpu::trace::stack::{INSTANCES, NODES, PRIMITIVES, first_of, is_open, put};
 use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, Sphere, Tables};
 
 /// Where a walk is, and what it has found.
@@ -74,9 +74,9 @@ pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) 
 /// With `any`, stops at the first that is met.
 ///
 /// `stack` has `deep` places: the children of nodes that are still to be asked, where all of a node's begin; a bit for
-/// each from bit 24 up, the next one the highest; and below bit 8, which of the places hold nodes. Or instances that
-/// are still to be asked: where a node's leaves begin, with the highest bit, and a bit for each. Where there are
-/// instances, the last place says in which of them the walk is.
+/// each from bit 24 up; and below bit 8, which of the places hold nodes. Or instances that are still to be asked: where
+/// a node's leaves begin, with the highest bit, and a bit for each. Where there are instances, the last place says in
+/// which of them the walk is.
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     dispatch!(Level::new(), simd => go_on(simd, tables, stack, ray, start, most, any))
@@ -100,6 +100,7 @@ fn go_on<S: Simd>(
     }
 
     let mut seat = Seat::in_world(tables, ray);
+    let mut gaze = Gaze::new(simd, seat.ray, &seat.aim);
     let room = stack.len() - tables.instances.len().min(1);
     // The instance that the walk is in, and how much of the stack is the world's then.
     let (mut within, mut base) = (NONE, 0);
@@ -112,6 +113,7 @@ fn go_on<S: Simd>(
         [within, base] = stack[room];
         if let Some(placed) = tables.instances.get(within as usize) {
             seat = Seat::in_instance(tables, ray, placed);
+            gaze = Gaze::new(simd, seat.ray, &seat.aim);
         }
     }
     while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
@@ -119,6 +121,7 @@ fn go_on<S: Simd>(
             // Back to the world.
             within = NONE;
             seat = Seat::in_world(tables, ray);
+            gaze = Gaze::new(simd, seat.ray, &seat.aim);
         }
         if !is_open(group) {
             size -= 1;
@@ -132,21 +135,22 @@ fn go_on<S: Simd>(
             base = size as u32;
             let placed = &tables.instances[within as usize];
             seat = Seat::in_instance(tables, ray, placed);
+            gaze = Gaze::new(simd, seat.ray, &seat.aim);
             group = [placed.root, 0x8000_0000];
         }
-        let bit = group[1].ilog2();
-        group[1] ^= 1 << bit;
+        let place = first_of(group, seat.aim.octant);
+        group[1] ^= 1 << (24 + place);
         size = put(stack, room, group, size, &mut walk.flags);
-        let before = (1 << ((bit - 24) ^ seat.aim.octant)) - 1;
-        let node = &tables.nodes[(group[0] + (group[1] & before).count_ones()) as usize];
-        let mut met = boxes_met(simd, node, seat.ray, &seat.aim, walk.t);
-        group = [node.children, (met & NODES) | node.steps >> 24];
-        met &= !NODES;
+        let before = group[1] & ((1 << place) - 1);
+        let node = &tables.nodes[(group[0] + before.count_ones()) as usize];
+        let mut met = boxes_met(simd, node, &gaze, walk.t);
+        group = [node.children, (met & NODES) | node.inner >> 24];
+        met &= PRIMITIVES;
         walk.turns += 1;
         // Those of the primitives that are instances.
         let mut later = 0;
         while met != 0 && !(any && walk.hit != NONE) {
-            let place = met.trailing_zeros();
+            let place = (node.held & !met & (met - 1)).count_ones();
             let i = node.leaves + place;
             met &= met - 1;
             let leaf = &tables.leaves[i as usize];

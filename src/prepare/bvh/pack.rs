@@ -70,7 +70,6 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         leaves: first_leaf,
         ..bytemuck::Zeroable::zeroed()
     };
-    let mut leaves = 0;
     for (i, child) in places.iter().enumerate() {
         let Some(child) = child else { continue };
         let low = ((child.bounds.low - whole.low) / step).floor().to_array().map(|q| q as u8);
@@ -84,11 +83,9 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         put(&mut node.high_y, high[1]);
         put(&mut node.high_z, high[2]);
         if child.is_leaf() {
-            put(&mut node.kinds, ((1 << child.boxes) - 1) << 5 | leaves);
-            leaves += child.boxes;
+            node.held |= ((1 << child.boxes) - 1) << (3 * i);
         } else {
-            put(&mut node.kinds, 1 << 5 | (24 + i as u8));
-            node.steps |= 1 << (24 + i);
+            node.inner |= 1 << (24 + i);
         }
     }
     node

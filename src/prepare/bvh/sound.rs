@@ -1,6 +1,6 @@
 //! a tree from elsewhere -> whether a walk through it ends, and meets each box once
 
-use super::{MOST_IN_LEAF, Tree};
+use super::Tree;
 use crate::tables::Node;
 
 /// Whether all that a tree's nodes and order say is there, once, and as deep as it says.
@@ -33,23 +33,23 @@ struct Left {
 impl Left {
     /// Takes a node's leaves, and says which nodes are its children; nothing if it has what it cannot have.
     fn children(&mut self, node: &Node) -> Option<Vec<usize>> {
-        let mut children = Vec::new();
-        let inner = node.steps >> 24;
+        if node.inner << 8 != 0 || node.held >> 24 != 0 {
+            return None;
+        }
+        let (mut children, mut leaves) = (Vec::new(), node.leaves as usize);
         for place in 0..8 {
-            let kind = (node.kinds[place / 4] >> (8 * (place % 4)) & 255) as usize;
-            let is_node = kind == 1 << 5 | (24 + place);
-            if is_node != (inner >> place & 1 == 1) {
+            let held = node.held >> (3 * place) & 7;
+            let count = held.trailing_ones();
+            let is_node = node.inner >> (24 + place) & 1 == 1;
+            if held >> count != 0 || (is_node && held != 0) {
                 return None;
             }
             if is_node {
                 children.push((node.children as usize).checked_add(children.len())?);
-                continue;
             }
-            let count = (kind >> 5).trailing_ones() as usize;
-            let right = kind >> 5 == (1 << count) - 1 && count <= MOST_IN_LEAF && (count > 0 || kind == 0);
-            let first = node.leaves as usize + kind % 32;
-            if !right || (first..first + count).any(|i| take(&mut self.leaves, i).is_none()) {
-                return None;
+            for _ in 0..count {
+                take(&mut self.leaves, leaves)?;
+                leaves += 1;
             }
         }
         Some(children)
