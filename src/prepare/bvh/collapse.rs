@@ -90,3 +90,83 @@ fn least(left: &Costs, right: &Costs) -> Costs {
     }
     least
 }
+
+#[cfg(test)]
+mod tests {
+    use std::ops::ControlFlow;
+
+    use glam::Vec3;
+
+    use super::*;
+    use crate::math::random::{pcg4d, unit_float};
+    use crate::prepare::bvh::count::Count;
+    use crate::prepare::bvh::split::{Halved, Item, Part};
+
+    /// So many boxes of all sizes, parted anywhere.
+    fn random(number: u32, boxes: u32) -> Binary {
+        let one = |i: u32| {
+            let [a, b, c, d] = pcg4d([number, i, 0, 0]).map(unit_float);
+            let low = Vec3::new(a, b, c);
+            Bounds::around([low, low + Vec3::new(d * d, a * d, 0.1 * b)])
+        };
+        let count = Count::new(&|_| ControlFlow::Continue(()), boxes as usize);
+        let anywhere = |items: &mut [Item], _: &Part, level: u32| {
+            let dice = pcg4d([number, items.len() as u32, level, 1])[0] as usize;
+            Halved::at(1 + dice % (items.len() - 1), items)
+        };
+        Binary::new((0..boxes).map(one).collect(), &anywhere, &count)
+    }
+
+    fn boxes(tree: &Binary, branch: Branch) -> usize {
+        match tree.kind(branch) {
+            Kind::Box(_) => 1,
+            Kind::Node(_, two) => boxes(tree, two.left) + boxes(tree, two.right),
+        }
+    }
+
+    fn leaf(tree: &Binary, branch: Branch) -> f32 {
+        PRIMITIVE * area(tree.bounds(branch)) * boxes(tree, branch) as f32
+    }
+
+    /// Every way to make a branch one to eight roots.
+    fn forests(tree: &Binary, branch: Branch) -> Vec<Vec<Branch>> {
+        let mut all = vec![vec![branch]];
+        if let Kind::Node(_, two) = tree.kind(branch) {
+            let (left, right) = (forests(tree, two.left), forests(tree, two.right));
+            all.extend(left.iter().flat_map(|l| right.iter().map(|r| [&l[..], r].concat())));
+        }
+        all.retain(|roots| roots.len() <= 8);
+        all
+    }
+
+    /// What a branch costs at least as one root: each forest below it tried.
+    fn cheapest(tree: &Binary, branch: Branch) -> f32 {
+        let few = boxes(tree, branch) <= MOST_IN_LEAF;
+        let all = forests(tree, branch).into_iter().filter(|roots| roots.len() > 1);
+        let node = |roots: Vec<Branch>| {
+            area(tree.bounds(branch)) + roots.into_iter().map(|root| cheapest(tree, root)).sum::<f32>()
+        };
+        all.map(node).fold(if few { leaf(tree, branch) } else { FAR }, f32::min)
+    }
+
+    /// What it costs as it is kept.
+    fn kept(tree: &Binary, ways: &Ways, branch: Branch) -> f32 {
+        let children = ways.children(tree, branch);
+        assert!(children.len() <= 8);
+        let below = |child: &super::super::ways::Child| {
+            assert!(usize::from(child.boxes) <= MOST_IN_LEAF);
+            if child.is_leaf() { leaf(tree, child.branch) } else { kept(tree, ways, child.branch) }
+        };
+        area(tree.bounds(branch)) + children.iter().map(below).sum::<f32>()
+    }
+
+    #[test]
+    fn no_other_nodes_cost_less() {
+        for number in 0..400 {
+            let tree = random(number, 4 + number % 11);
+            let (kept, best) = (kept(&tree, &collapse(&tree), tree.root), cheapest(&tree, tree.root));
+            // Three bits of each sum hold what was chosen.
+            assert!(kept <= best * 1.00001, "tree {number}: {kept} where {best} is the least");
+        }
+    }
+}
