@@ -127,3 +127,23 @@ fn few(items: &mut [Item]) -> Halved {
     }
     if least == f32::INFINITY { Halved::at(count / 2, items) } else { halved }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec3;
+
+    use super::*;
+
+    #[test]
+    fn parts_far_down_are_halved() {
+        // All in one place but the last, which the cheapest plane parts from them.
+        let place = |i: u32| Vec3::splat(if i == 40 { 1e6 } else { i as f32 });
+        let one = |i: u32| Item::new(Bounds::around([place(i), place(i) + 1.0]), i);
+        let left = |level: u32| {
+            let mut items: Vec<Item> = (0..41).map(one).collect();
+            let whole = Part::new(&items);
+            halves(&mut items, &whole, level).left
+        };
+        assert_eq!([left(0), left(STEEP - 1), left(STEEP), left(STEEP + 9)], [40, 40, 20, 20]);
+    }
+}
