@@ -94,15 +94,15 @@ struct OnGpu<'a> {
 impl<'a> OnGpu<'a> {
     fn new(gpu: &'a Gpu, tables: &'a Tables) -> Self {
         let sources = Sources::default().with("rays", include_str!("rays.wgsl").to_owned());
-        let kernel = Kernel::new(gpu, &fit(gpu, &sources, tables), "rays").unwrap_or_else(|e| panic!("{e}"));
+        let kernel = Kernel::new(gpu, &fit(&sources, tables), "rays").unwrap_or_else(|e| panic!("{e}"));
         Self { gpu, kernel, tables }
     }
 
     fn pass(&self, rays: &[Asked]) -> Pass {
         let gpu = self.gpu;
         let settings = gpu.uniform("settings", &self.tables.settings).expect("room");
-        let nodes = gpu.texels("nodes", &self.tables.nodes).expect("room");
-        let leaves = gpu.texels("leaves", &self.tables.leaves).expect("room");
+        let nodes = gpu.values("nodes", &self.tables.nodes).expect("room");
+        let leaves = gpu.values("leaves", &self.tables.leaves).expect("room");
         let asked = gpu.upload("asked", rays).expect("room");
         let met = gpu.zeroed::<[u32; 4]>("met", rays.len()).expect("room");
         let bindings = [

@@ -22,7 +22,17 @@ impl Gpu {
     /// # Errors
     /// If it is larger than a texture may be, or the device has no room.
     pub fn texels<T: Pod>(&self, label: &str, values: &[T]) -> Result<Texels, Error> {
-        self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint)
+        self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint, ROW)
+    }
+
+    /// A table with rows of whole values, as many as a power of two: one place is found for all of a value's texels.
+    ///
+    /// # Errors
+    /// As [`Self::texels`].
+    pub fn values<T: Pod>(&self, label: &str, values: &[T]) -> Result<Texels, Error> {
+        let texels = size_of::<T>() / 16;
+        let row = texels << (ROW / texels).ilog2();
+        self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint, row)
     }
 
     /// A table of single words, a texel each.
@@ -30,7 +40,7 @@ impl Gpu {
     /// # Errors
     /// If it is larger than a texture may be, or the device has no room.
     pub fn words(&self, label: &str, words: &[u32]) -> Result<Texels, Error> {
-        self.texture(label, bytemuck::cast_slice(words), wgpu::TextureFormat::R32Uint)
+        self.texture(label, bytemuck::cast_slice(words), wgpu::TextureFormat::R32Uint, ROW)
     }
 
     /// Bytes of the largest table.
@@ -38,16 +48,24 @@ impl Gpu {
         (ROW * 16) as u64 * u64::from(self.device.limits().max_texture_dimension_2d)
     }
 
-    fn texture(&self, label: &str, bytes: &[u8], format: wgpu::TextureFormat) -> Result<Texels, Error> {
+    /// `width`: texels in a row.
+    fn texture(
+        &self,
+        label: &str,
+        bytes: &[u8],
+        format: wgpu::TextureFormat,
+        width: usize,
+    ) -> Result<Texels, Error> {
         let texel = format.block_copy_size(None).unwrap_or(1) as usize;
         let texels = (bytes.len() / texel).max(1);
-        let (width, height) = (texels.min(ROW), texels.div_ceil(ROW));
+        let height = texels.div_ceil(width);
         let most = self.device.limits().max_texture_dimension_2d as usize;
         if height > most {
-            let (bytes, most) = (bytes.len() as u64, (most * ROW * texel) as u64);
+            let (bytes, most) = (bytes.len() as u64, (most * width * texel) as u64);
             return Err(Error::TooLarge { label: label.to_owned(), bytes, most });
         }
-        let size = wgpu::Extent3d { width: width as u32, height: height as u32, depth_or_array_layers: 1 };
+        let size =
+            wgpu::Extent3d { width: texels.min(width) as u32, height: height as u32, depth_or_array_layers: 1 };
         let images = self.has_images();
         let bound =
             if images { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::TEXTURE_BINDING };
@@ -62,7 +80,7 @@ impl Gpu {
             usage: bound | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         });
-        let row = ROW * texel;
+        let row = width * texel;
         let whole = bytes.len() / row;
         let put = |from: usize, data: &[u8], width: usize, rows: usize| {
             if data.is_empty() {
@@ -81,7 +99,7 @@ impl Gpu {
             );
         };
         let (rows, rest) = bytes.split_at(whole * row);
-        put(0, rows, ROW, whole);
+        put(0, rows, width, whole);
         put(whole, rest, rest.len() / texel, 1);
         if pollster::block_on(scope.pop()).is_some() {
             return Err(Error::NoRoom { label: label.to_owned(), bytes: bytes.len() as u64 });

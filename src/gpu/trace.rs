@@ -69,7 +69,7 @@ impl<'a> GpuTrace<'a> {
     /// # Errors
     /// If a kernel's source is wrong, or the scene does not fit the device.
     pub fn new(gpu: &'a Gpu, sources: &Sources, tables: &Tables) -> Result<Self, Error> {
-        let sources = &fit(gpu, sources, tables);
+        let sources = &fit(sources, tables);
         let few = tables.few.then(|| Kernel::new(gpu, sources, "trace/few"));
         let [depth, deep] = [tables.settings.max_depth, tables.deep].map(u64::from);
         let a_pixel = depth * size_of::<Waiting>() as u64 + deep * 8 + size_of::<Path>() as u64;
@@ -89,8 +89,8 @@ impl<'a> GpuTrace<'a> {
             left: tables.samples,
             view: gpu.uniform("view", &tables.view)?,
             settings: gpu.uniform("settings", &tables.settings)?,
-            nodes: gpu.texels("nodes", &tables.nodes)?,
-            leaves: gpu.texels("leaves", &tables.leaves)?,
+            nodes: gpu.values("nodes", &tables.nodes)?,
+            leaves: gpu.values("leaves", &tables.leaves)?,
             materials: gpu.upload("materials", &tables.materials)?,
             paints: gpu.texels("paints", &tables.paints)?,
             faces: gpu.texels("faces", &tables.faces)?,

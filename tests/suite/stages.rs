@@ -85,7 +85,6 @@ fn stages_of_shipped_scenes_are_the_same() {
     }
 }
 
-/// Too deep for a stack whose places are each asked whether they are the one that is meant.
 #[test]
 fn stages_of_a_deep_tree_are_the_same() {
     let mut scene = scene_of(&deep());

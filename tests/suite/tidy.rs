@@ -30,7 +30,7 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
 }
 
 /// What kernels are for beside the usual.
-const VARIANTS: [(&str, &[&str]); 12] = [
+const VARIANTS: [(&str, &[&str]); 11] = [
     ("raster/split", &["eye"]),
     ("raster/split", &["eye", "wide"]),
     ("raster/cut", &["torn"]),
@@ -42,7 +42,6 @@ const VARIANTS: [(&str, &[&str]); 12] = [
     ("raster/lace", &["images"]),
     ("raster/shade", &["images"]),
     ("trace/follow", &["images"]),
-    ("trace/follow", &["images", "shallow"]),
 ];
 
 pub(super) fn kernels() -> Vec<(&'static str, Module, ModuleInfo)> {

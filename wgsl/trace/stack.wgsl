@@ -25,22 +25,6 @@ fn is_open(group: vec2u) -> bool {
     return open;
 }
 
-// The group in hand, or what lies at a place of the stack. On a processor an index of each lane's own is followed lane
-// by lane: where there are few places, each is asked instead whether it is the one.
-fn in_hand(group: vec2u, closed: bool, place: u32) -> vec2u {
-    var next = group;
-#if shallow
-    #repeat deep
-    next = select(next, stack[$i], closed && place == $iu);
-    #end
-#else
-    if (closed) {
-        next = stack[place];
-    }
-#end
-    return next;
-}
-
 // The place of the child that is asked first, of a group of nodes: the one whose `place ^ octant` is the highest.
 fn first_of(group: vec2u, octant: u32) -> u32 {
     var x = group.y & NODES;
@@ -53,16 +37,9 @@ fn first_of(group: vec2u, octant: u32) -> u32 {
 // Keeps what is left of a group for later; how much is on the stack then.
 fn put(group: vec2u, size: u32, walk: ptr<function, Walk>) -> u32 {
     let fits = is_open(group) && size < ROOM;
-#if shallow
-    // What is not open too: the next one will lie over it.
-    #repeat deep
-    stack[$i] = select(stack[$i], group, size == $iu);
-    #end
-#else
     if (fits) {
         stack[size] = group;
     }
-#end
     (*walk).flags |= select(0u, STACK_FULL, is_open(group) && !fits);
     return size + select(0u, 1u, fits);
 }

@@ -19,18 +19,20 @@
 @group(0) @binding(2) var leaves: Table;
 
 fn node_at(i: u32) -> Node {
-    let a = texel(nodes, i * 5u);
-    let b = texel(nodes, i * 5u + 1u);
-    let c = texel(nodes, i * 5u + 2u);
-    let d = texel(nodes, i * 5u + 3u);
-    let e = texel(nodes, i * 5u + 4u);
+    let begin = begin_of(i, 5u);
+    let a = texel_at(nodes, begin, 0u);
+    let b = texel_at(nodes, begin, 1u);
+    let c = texel_at(nodes, begin, 2u);
+    let d = texel_at(nodes, begin, 3u);
+    let e = texel_at(nodes, begin, 4u);
     return Node(bitcast<vec3f>(a.xyz), a.w, b.x, b.y, b.z, b.w, c.xy, c.zw, d.xy, d.zw, e.xy, e.zw);
 }
 
 fn leaf_at(i: u32) -> Leaf {
-    let a = texel(leaves, i * 3u);
-    let b = texel(leaves, i * 3u + 1u);
-    let c = texel(leaves, i * 3u + 2u);
+    let begin = begin_of(i, 3u);
+    let a = texel_at(leaves, begin, 0u);
+    let b = texel_at(leaves, begin, 1u);
+    let c = texel_at(leaves, begin, 2u);
     return Leaf(bitcast<vec3f>(a.xyz), a.w, bitcast<vec3f>(b.xyz), b.w, bitcast<vec3f>(c.xyz), c.w);
 }
 
@@ -124,7 +126,9 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
             #end
             let closed = !is_open(group);
             size -= select(0u, 1u, closed);
-            group = in_hand(group, closed, size);
+            if (closed) {
+                group = stack[size];
+            }
             #repeat copies
             if (group.x >= INSTANCES) {
                 // The next of some instances: its root, the only child of nothing.

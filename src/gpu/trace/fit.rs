@@ -1,17 +1,12 @@
 //! a scene -> the tracer's kernels, written out for it
 
-use crate::gpu::Gpu;
 use crate::gpu::looks::looks;
 use crate::gpu::wgsl::Sources;
 use crate::tables::{CUT_OUT, DIFFUSE, GLASS, ONE_SIDED, PLANE, Tables};
 
-/// Places of a walk's stack, at most, that are each asked whether they are the one that is meant: measured on lavapipe,
-/// 10 to 13 of them make all of a walk 1.06 times as fast, 19 make no difference.
-const SHALLOW: u32 = 16;
-
-/// The tracer's kernels for a scene: what it has none of is left out, and so is what the adapter is no faster with.
+/// The tracer's kernels for a scene: what it has none of is left out.
 #[must_use]
-pub fn fit(gpu: &Gpu, sources: &Sources, tables: &Tables) -> Sources {
+pub fn fit(sources: &Sources, tables: &Tables) -> Sources {
     let has = |behavior| tables.materials.iter().any(|material| material.behavior == behavior);
     let pierced = |by| tables.leaves.iter().any(|leaf| leaf.kind > PLANE && leaf.kind & by != 0);
     let written_out = [
@@ -31,6 +26,5 @@ pub fn fit(gpu: &Gpu, sources: &Sources, tables: &Tables) -> Sources {
     ];
     let settings = &tables.settings;
     let sources = looks(sources.clone(), &tables.paints, settings.filtering, settings.specular);
-    let sources = if gpu.software() && tables.deep <= SHALLOW { sources.for_what("shallow") } else { sources };
     written_out.into_iter().fold(sources, |all, (kind, count)| all.with_count(kind, count as u32))
 }
