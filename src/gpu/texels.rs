@@ -25,12 +25,13 @@ impl Gpu {
         self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint, ROW)
     }
 
-    /// A table with rows of whole values, as many as a power of two: one place is found for all of a value's texels.
+    /// A table with rows of whole values, as many as a power of two: one place is found for all of a value's texels, which
+    /// are a whole number.
     ///
     /// # Errors
     /// As [`Self::texels`].
     pub fn values<T: Pod>(&self, label: &str, values: &[T]) -> Result<Texels, Error> {
-        let texels = size_of::<T>() / 16;
+        let texels = (size_of::<T>() / 16).clamp(1, ROW);
         let row = texels << (ROW / texels).ilog2();
         self.texture(label, bytemuck::cast_slice(values), wgpu::TextureFormat::Rgba32Uint, row)
     }
