@@ -82,6 +82,13 @@ pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most
     dispatch!(Level::new(), simd => go_on(simd, tables, stack, ray, start, most, any))
 }
 
+/// A seat, and the ray there as boxes ask for it: neither changes without the other.
+#[inline(always)]
+fn gazing<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>) {
+    let gaze = Gaze::new(simd, seat.ray, &seat.aim);
+    (seat, gaze)
+}
+
 #[inline(always)]
 fn go_on<S: Simd>(
     simd: S,
@@ -99,8 +106,7 @@ fn go_on<S: Simd>(
         return walk;
     }
 
-    let mut seat = Seat::in_world(tables, ray);
-    let mut gaze = Gaze::new(simd, seat.ray, &seat.aim);
+    let (mut seat, mut gaze) = gazing(simd, Seat::in_world(tables, ray));
     let room = stack.len() - tables.instances.len().min(1);
     // The instance that the walk is in, and how much of the stack is the world's then.
     let (mut within, mut base) = (NONE, 0);
@@ -112,16 +118,14 @@ fn go_on<S: Simd>(
     if size > 0 && room < stack.len() {
         [within, base] = stack[room];
         if let Some(placed) = tables.instances.get(within as usize) {
-            seat = Seat::in_instance(tables, ray, placed);
-            gaze = Gaze::new(simd, seat.ray, &seat.aim);
+            (seat, gaze) = gazing(simd, Seat::in_instance(tables, ray, placed));
         }
     }
     while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
         if within != NONE && size == base as usize && !is_open(group) {
             // Back to the world.
             within = NONE;
-            seat = Seat::in_world(tables, ray);
-            gaze = Gaze::new(simd, seat.ray, &seat.aim);
+            (seat, gaze) = gazing(simd, Seat::in_world(tables, ray));
         }
         if !is_open(group) {
             size -= 1;
@@ -134,8 +138,7 @@ fn go_on<S: Simd>(
             size = put(stack, room, group, size, &mut walk.flags);
             base = size as u32;
             let placed = &tables.instances[within as usize];
-            seat = Seat::in_instance(tables, ray, placed);
-            gaze = Gaze::new(simd, seat.ray, &seat.aim);
+            (seat, gaze) = gazing(simd, Seat::in_instance(tables, ray, placed));
             group = [placed.root, 0x8000_0000];
         }
         let place = first_of(group, seat.aim.octant);
