@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "see `aim`")]
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x4, f32x8, i32x8, u8x16, u32x4, u32x8};
+use fearless_simd::{f32x8, i32x8, u8x16, u32x4, u32x8};
 use glam::Vec3;
 
 use crate::cpu::trace::aim::{Aim, Ray};
@@ -17,29 +17,23 @@ fn widened<S: Simd>(simd: S, [low, high]: [u32; 2]) -> u32x8<S> {
     simd.combine_u32x4(low, high)
 }
 
-#[inline(always)]
-fn four<S: Simd>(simd: S, v: Vec3) -> f32x4<S> {
-    f32x4::simd_from(simd, [v.x, v.y, v.z, 0.0])
-}
-
-/// A ray as boxes ask for it: at `corner - origin` times `inverse`, less or more `slack`, it crosses a corner's planes.
+/// A ray as boxes ask for it, in all lanes: at `corner - origin` times `inverse`, less or more `slack`, it crosses a
+/// corner's planes.
 #[derive(Debug, Clone, Copy)]
 pub struct Gaze<S: Simd> {
-    origin: f32x4<S>,
-    inverse: f32x4<S>,
-    slack: f32x4<S>,
-    /// Which rows of a node hold the near sides, and which the far ones.
+    origin: [f32x8<S>; 3],
+    inverse: [f32x8<S>; 3],
+    slack: [f32x8<S>; 3],
+    /// Which rows of a node hold the near sides; the far ones are in the other row of an axis.
     near: [usize; 3],
-    far: [usize; 3],
 }
 
 /// A node's words: rows 4 to 6 are the low sides, 7 to 9 the high ones.
 type Rows = [[u32; 2]; 10];
 
-/// The rows of one axis.
 #[inline(always)]
-fn rows(axis: usize, inverse: f32) -> (usize, usize) {
-    if inverse < 0.0 { (7 + axis, 4 + axis) } else { (4 + axis, 7 + axis) }
+fn splat<S: Simd>(simd: S, v: Vec3) -> [f32x8<S>; 3] {
+    [f32x8::splat(simd, v.x), f32x8::splat(simd, v.y), f32x8::splat(simd, v.z)]
 }
 
 impl<S: Simd> Gaze<S> {
@@ -47,15 +41,36 @@ impl<S: Simd> Gaze<S> {
     #[inline(always)]
     #[must_use]
     pub fn new(simd: S, ray: Ray, aim: &Aim) -> Self {
-        let (x, y, z) = (rows(0, aim.inverse.x), rows(1, aim.inverse.y), rows(2, aim.inverse.z));
-        let (origin, inverse, slack) = (four(simd, ray.origin), four(simd, aim.inverse), four(simd, aim.slack));
-        Self { origin, inverse, slack, near: [x.0, y.0, z.0], far: [x.1, y.1, z.1] }
+        let near = |axis: usize| if aim.inverse[axis] < 0.0 { 7 + axis } else { 4 + axis };
+        let near = [near(0), near(1), near(2)];
+        Self {
+            origin: splat(simd, ray.origin),
+            inverse: splat(simd, aim.inverse),
+            slack: splat(simd, aim.slack),
+            near,
+        }
     }
+}
+
+/// Where the ray crosses the near and the far sides of the children's boxes on one axis.
+#[inline(always)]
+fn sides<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, axis: usize) -> [f32x8<S>; 2] {
+    let rows: &Rows = bytemuck::cast_ref(node);
+    // The axis' byte of the four, where a number has its exponent.
+    let exponent = (u32x8::splat(simd, node.steps) << (23 - 8 * axis as u32)) & 0x7f80_0000;
+    let step: f32x8<S> = exponent.bitcast();
+    let step = step * gaze.inverse[axis];
+    let at = (f32x8::splat(simd, node.corner[axis]) - gaze.origin[axis]) * gaze.inverse[axis];
+    let near = gaze.near[axis];
+    let [near, far] = [rows[near], rows[11 + 2 * axis - near]];
+    let near = crossed(simd, near, step, at - gaze.slack[axis]);
+    let far = crossed(simd, far, step, at + gaze.slack[axis]);
+    [near, far]
 }
 
 /// Where the ray crosses one side of each child's box.
 #[inline(always)]
-fn crossed<S: Simd>(simd: S, bytes: [u32; 2], step: f32, from: f32) -> f32x8<S> {
+fn crossed<S: Simd>(simd: S, bytes: [u32; 2], step: f32x8<S>, from: f32x8<S>) -> f32x8<S> {
     let bytes: i32x8<S> = widened(simd, bytes).bitcast();
     f32x8::float_from(bytes) * step + from
 }
@@ -78,19 +93,10 @@ const MAY_HAVE: [u32; 256] = {
 #[inline(always)]
 #[must_use]
 pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> u32 {
-    let (exponents, _) = (widened(simd, [node.steps, 0]) << 23).split();
-    let step: f32x4<S> = exponents.bitcast();
-    let [x, y, z, _] = (step * gaze.inverse).to_array();
-    let at = (four(simd, node.corner) - gaze.origin) * gaze.inverse;
-    let [near, far] = [(at - gaze.slack).to_array(), (at + gaze.slack).to_array()];
-    let rows: &Rows = bytemuck::cast_ref(node);
-    let enter_x = crossed(simd, rows[gaze.near[0]], x, near[0]);
-    let enter_y = crossed(simd, rows[gaze.near[1]], y, near[1]);
-    let enter_z = crossed(simd, rows[gaze.near[2]], z, near[2]);
-    let leave_x = crossed(simd, rows[gaze.far[0]], x, far[0]);
-    let leave_y = crossed(simd, rows[gaze.far[1]], y, far[1]);
-    let leave_z = crossed(simd, rows[gaze.far[2]], z, far[2]);
-    let enter = enter_x.max(enter_y).max(enter_z.max(f32x8::splat(simd, 0.0)));
-    let leave = leave_x.min(leave_y).min(leave_z.min(f32x8::splat(simd, t)));
+    let x = sides(simd, node, gaze, 0);
+    let y = sides(simd, node, gaze, 1);
+    let z = sides(simd, node, gaze, 2);
+    let enter = x[0].max(y[0]).max(z[0].max(f32x8::splat(simd, 0.0)));
+    let leave = x[1].min(y[1]).min(z[1].min(f32x8::splat(simd, t)));
     MAY_HAVE[enter.simd_le(leave).to_bitmask() as usize % 256] & (node.inner | node.held)
 }
