@@ -1,7 +1,8 @@
 //! boxes -> a tree of nodes with up to eight children each
 //!
 //! ```text
-//! boxes -> binary (split in two, and again) -> collapse (which of these nodes to keep) -> grow (the kept ones, packed) -> Tree
+//! boxes -> binary (split in two, and again) -> reinsert (large branches, to where they cost the least)
+//!       -> collapse (which of these nodes to keep) -> grow (the kept ones, packed) -> Tree
 //! ```
 //!
 //! Any tree will do whose boxes hold what lies below them: a walk finds the same primitive at the same distance, to
@@ -16,6 +17,7 @@ mod grow;
 mod halves;
 mod kept;
 mod pack;
+mod reinsert;
 mod sides;
 mod sound;
 mod split;

@@ -69,6 +69,12 @@ impl Binary {
         if branch.0 & BOX == 0 { Kind::Node(at, &self.nodes[at]) } else { Kind::Box(&self.items[at]) }
     }
 
+    /// Gives a node other branches.
+    pub(super) fn set(&mut self, node: Branch, bounds: Bounds, [left, right]: [Branch; 2]) {
+        let Bounds { low, high } = bounds;
+        self.nodes[node.0 as usize] = Two { low: low.truncate(), left, high: high.truncate(), right };
+    }
+
     pub(super) fn bounds(&self, branch: Branch) -> Bounds {
         match self.kind(branch) {
             Kind::Box(item) => item.0,

@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use super::binary::Binary;
 use super::collapse::collapse;
 use super::count::Count;
+use super::reinsert::reinsert;
 use super::split::halves;
 use super::{Bounds, Builder, Told, Tree, grow};
 
@@ -29,7 +30,11 @@ impl Builder for Watched<'_> {
             return Tree::empty();
         }
         let count = Count::new(self.0, boxes.len());
-        let binary = Binary::new(boxes, &halves, &count);
-        if count.is_over() { Tree::empty() } else { grow::tree(&binary, &collapse(&binary)) }
+        let mut binary = Binary::new(boxes, &halves, &count);
+        if count.is_over() {
+            return Tree::empty();
+        }
+        reinsert(&mut binary);
+        grow::tree(&binary, &collapse(&binary))
     }
 }

@@ -46,7 +46,7 @@ fn weigh(tree: &Binary, branch: Branch, level: u32, ways: &Ways) -> Below {
 }
 
 /// So that no sum of them is infinite.
-fn area(bounds: Bounds) -> f32 {
+pub(super) fn area(bounds: Bounds) -> f32 {
     let area = bounds.half_area();
     if area < 1e28 { area } else { 1e28 }
 }
@@ -92,7 +92,7 @@ fn least(left: &Costs, right: &Costs) -> Costs {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::ops::ControlFlow;
 
     use glam::Vec3;
@@ -103,7 +103,7 @@ mod tests {
     use crate::prepare::bvh::split::{Halved, Item, Part};
 
     /// So many boxes of all sizes, parted anywhere.
-    fn random(number: u32, boxes: u32) -> Binary {
+    pub(in crate::prepare::bvh) fn random(number: u32, boxes: u32) -> Binary {
         let one = |i: u32| {
             let [a, b, c, d] = pcg4d([number, i, 0, 0]).map(unit_float);
             let low = Vec3::new(a, b, c);

@@ -26,7 +26,7 @@ pub struct Kept<'a> {
 pub const LEAST_KEPT: usize = 1000;
 
 /// What is on disk, and what builds it: other texts, other trees.
-const BUILT_BY: [&str; 13] = [
+const BUILT_BY: [&str; 14] = [
     include_str!("../../tables/node.rs"),
     include_str!("../bvh.rs"),
     include_str!("binary.rs"),
@@ -37,6 +37,7 @@ const BUILT_BY: [&str; 13] = [
     include_str!("grow.rs"),
     include_str!("kept.rs"),
     include_str!("pack.rs"),
+    include_str!("reinsert.rs"),
     include_str!("sides.rs"),
     include_str!("split.rs"),
     include_str!("ways.rs"),

@@ -67,7 +67,7 @@ impl Halved {
 }
 
 /// Beyond so many levels parts are halved, so that no input makes a tree that is much deeper.
-const STEEP: u32 = 48;
+pub(super) const STEEP: u32 = 48;
 
 /// Sorts the items of a part, of which there are two at least, into two.
 pub(super) fn halves(items: &mut [Item], part: &Part, level: u32) -> Halved {
