@@ -19,7 +19,7 @@ fn planted_faults_are_seen() {
         ("raster/pixels", "(near == old.near) & (vec4u(id) > old.id)", "(near == old.near)"),
         ("raster/pixels", "vec4u(p.yw, q.yw)", "vec4u(p.yw, q.wy)"),
         ("raster/pixels", "quad.near[$i] = p_$i.x", "quad.near[$i] = p_0.x"),
-        ("raster/pixels", "z += d.zy * STRIDE", "z += d.zx * STRIDE"),
+        ("raster/pixels", "at += n.y * STRIDE", "at += n.x * STRIDE"),
         ("raster/reach", "(min(r.a, vec3i(0)) + min(r.b, vec3i(0)))", "(max(r.a, vec3i(0)) + min(r.b, vec3i(0)))"),
         ("raster/mark", "NONE - id", "id"),
         ("raster/facet", "turn > 0", "turn < 0"),

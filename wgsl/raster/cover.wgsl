@@ -21,16 +21,16 @@ fn id_of(entry: u32) -> u32 {
 
 #if subgroups
 // What a lane of the subgroup has planned.
-fn depths_of_seat(d: Depths, k: u32) -> Depths {
-    return Depths(
-        subgroupShuffle(d.zx, k), subgroupShuffle(d.zy, k), subgroupShuffle(d.z, k),
-        subgroupShuffle(d.low, k), subgroupShuffle(d.high, k), subgroupShuffle(d.most, k),
+fn nears_of_seat(n: Nears, k: u32) -> Nears {
+    return Nears(
+        subgroupShuffle(n.x, k), subgroupShuffle(n.y, k), subgroupShuffle(n.at, k),
+        subgroupShuffle(n.least, k), subgroupShuffle(n.most, k),
     );
 }
 
 fn plan_of_seat(p: Plan, k: u32) -> Plan {
     return Plan(
-        subgroupShuffle(p.a, k), subgroupShuffle(p.b, k), subgroupShuffle(p.e, k), depths_of_seat(p.depths, k),
+        subgroupShuffle(p.a, k), subgroupShuffle(p.b, k), subgroupShuffle(p.e, k), nears_of_seat(p.nears, k),
     );
 }
 #else
@@ -76,16 +76,16 @@ fn main(
     let size = min(seats, LANES);
     var batch = whole_first;
     loop {
-        var d: Depths;
+        var n: Nears;
         var id = 0u;
         if (batch + seat < whole_last) {
-            d = plan_of(batch + seat, origin).depths;
+            n = plan_of(batch + seat, origin).nears;
             id = id_of(batch + seat);
         }
         let next = min(batch + size, whole_last);
         var k = 0u;
         loop {
-            put_whole(&px, here, depths_of_seat(d, k), subgroupShuffle(id, k));
+            put_whole(&px, here, nears_of_seat(n, k), subgroupShuffle(id, k));
             k++;
             continuing {
                 break if batch + k >= next;
@@ -127,7 +127,7 @@ fn main(
         }
         workgroupBarrier();
         for (var k = 0u; k < full; k++) {
-            put_whole(&px, here, plans[k].depths, ids[k]);
+            put_whole(&px, here, plans[k].nears, ids[k]);
         }
         workgroupBarrier();
     }

@@ -79,7 +79,7 @@ fn main(
             if (piece.id - part.first < part.faces) {
                 let p = plan(piece.a, piece.b, piece.c, origin);
                 let e = p.e + p.a * here.x + p.b * here.y;
-                let now = vec2u(nearness(p.depths, here.x, here.y), NONE - piece.id);
+                let now = vec2u(nearness(p.nears, here.x, here.y), NONE - piece.id);
                 let nearer = now.x > best.x || (now.x == best.x && now.y > best.y);
                 if ((e.x | e.y | e.z) >= 0 && nearer && stays(lace_at(piece.id - part.first), pixel)) {
                     best = now;

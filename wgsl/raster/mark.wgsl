@@ -17,7 +17,7 @@ fn mark(s: Speck, id: u32) {
             if ((bits.x | bits.y) != 0u) {
                 let here = first_of(bits) + block;
                 let at = 2u * (corner + u32(here.y) * width + u32(here.x));
-                if (atomicLoad(&image[at + 1u]) == nearness(s.plan.depths, here.x, here.y)) {
+                if (atomicLoad(&image[at + 1u]) == nearness(s.plan.nears, here.x, here.y)) {
                     atomicMax(&image[at], NONE - id);
                 }
             }

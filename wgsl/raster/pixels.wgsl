@@ -45,30 +45,30 @@ fn put(old: Quad, near: vec4u, id: u32, covered: vec4<bool>) -> Quad {
 }
 
 // As `nearness`, of four.
-fn near_at(d: Depths, z: vec4i) -> vec4u {
-    return vec4u(d.most) - vec4u(clamp(z, vec4i(d.low), vec4i(d.high)));
+fn near_at(n: Nears, at: vec4i) -> vec4u {
+    return bitcast<vec4u>(clamp(at, vec4i(n.least), vec4i(n.most)));
 }
 
 // A piece that covers the tile; `here` is the lane's first pixel on it.
-fn put_whole(px: ptr<function, Pixels>, here: vec2i, d: Depths, id: u32) {
-    var z = (d.z + d.zx * here.x + d.zy * here.y) + d.zx * ACROSS;
+fn put_whole(px: ptr<function, Pixels>, here: vec2i, n: Nears, id: u32) {
+    var at = (n.at + n.x * here.x + n.y * here.y) + n.x * ACROSS;
 #repeat rows
-    (*px).row_$i = put((*px).row_$i, near_at(d, z), id, vec4<bool>(true));
-    z += d.zy * STRIDE;
+    (*px).row_$i = put((*px).row_$i, near_at(n, at), id, vec4<bool>(true));
+    at += n.y * STRIDE;
 #end
 }
 
 // A piece that touches the tile.
 fn put_some(px: ptr<function, Pixels>, here: vec2i, p: Plan, id: u32) {
-    let d = p.depths;
+    let n = p.nears;
     let first = p.e + p.a * here.x + p.b * here.y;
-    var z = (d.z + d.zx * here.x + d.zy * here.y) + d.zx * ACROSS;
+    var at = (n.at + n.x * here.x + n.y * here.y) + n.x * ACROSS;
     var e = first.x + p.a.x * ACROSS;
     var f = first.y + p.a.y * ACROSS;
     var g = first.z + p.a.z * ACROSS;
 #repeat rows
-    (*px).row_$i = put((*px).row_$i, near_at(d, z), id, (e | f | g) >= vec4i(0));
-    z += d.zy * STRIDE;
+    (*px).row_$i = put((*px).row_$i, near_at(n, at), id, (e | f | g) >= vec4i(0));
+    at += n.y * STRIDE;
     e += p.b.x * STRIDE;
     f += p.b.y * STRIDE;
     g += p.b.z * STRIDE;

@@ -2,17 +2,16 @@
 #import "raster/hold.wgsl"
 #import "math/quotient.wgsl"
 
-// The plane of depth of a triangle, as seen from a pixel near it, its origin.
-struct Depths {
-    // At (x, y) from there: zx * x + zy * y + z, modulo 2^32.
-    zx: i32,
-    zy: i32,
-    z: i32,
+// The plane of nearness of a triangle, as seen from a pixel near it, its origin. What is nearer is more; all numbers of
+// nearness are below zero, taken for signed ones.
+struct Nears {
+    // Nearness at the origin is `at`; from column to column it grows by `x`, from row to row by `y`, modulo 2^32.
+    x: i32,
+    y: i32,
+    at: i32,
     // What the corners span; no sample leaves it.
-    low: i32,
-    high: i32,
-    // The nearness of depth 0: what is less by the bias.
-    most: u32,
+    least: i32,
+    most: i32,
 }
 
 // Of a triangle whose area is above zero. A pixel (x, y) from the origin is covered where a * x + b * y + e >= 0 for
@@ -21,7 +20,7 @@ struct Plan {
     a: vec3i,
     b: vec3i,
     e: vec3i,
-    depths: Depths,
+    nears: Nears,
 }
 
 // Twice the signed area in 1/65536 pixel, in base 4096: x * 2^24 + y * 2^12 + z with y and z in 0 ... 4095.
@@ -90,8 +89,8 @@ fn slope(numerator: f32, area: f32) -> i32 {
     return i32(clamp(floor(quotient(hold(numerator * 256.0), area) + 0.5), -1073741824.0, 1073741824.0));
 }
 
-// The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
-fn depths_of(p: vec3i, q: vec3i, r: vec3i, size: f32, origin: vec2i) -> Depths {
+// The nearness of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
+fn nears_of(p: vec3i, q: vec3i, r: vec3i, size: f32, origin: vec2i) -> Nears {
     let u = vec3f(q - p);
     let v = vec3f(r - p);
     let zx = slope(hold(u.z * v.y) - hold(v.z * u.y), size);
@@ -102,8 +101,10 @@ fn depths_of(p: vec3i, q: vec3i, r: vec3i, size: f32, origin: vec2i) -> Depths {
     let back = ((zx >> 8u) * part.x + (((zx & 255) * part.x) >> 8u)) + ((zy >> 8u) * part.y + (((zy & 255) * part.y) >> 8u));
     let z = p.z - back + zx * (origin.x - whole.x) + zy * (origin.y - whole.y);
     let steep = min(u32(abs(zx)) + u32(abs(zy)), STEEPEST);
-    let bias = lens.bias + (steep >> 8u) * lens.slope;
-    return Depths(zx, zy, z, min(p.z, min(q.z, r.z)), max(p.z, max(q.z, r.z)), NO_DEPTH - bias);
+    // At most as much as there is of depth, so that nearness stays below zero.
+    let bias = min(lens.bias + (steep >> 8u) * lens.slope, DEEP - 1u);
+    let none = bitcast<i32>(NO_DEPTH - bias);
+    return Nears(-zx, -zy, none - z, none - max(p.z, max(q.z, r.z)), none - min(p.z, min(q.z, r.z)));
 }
 
 // p, q, r with an area above zero, as seen from the pixel `origin`.
@@ -114,13 +115,13 @@ fn plan(p: vec3i, q: vec3i, r: vec3i, origin: vec2i) -> Plan {
     let parts = area(p, q, r);
     let size = (hold(f32(parts.x) * 16777216.0) + hold(f32(parts.y) * 4096.0)) + f32(parts.z);
     return Plan(
-        vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), depths_of(p, q, r, size, origin),
+        vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), nears_of(p, q, r, size, origin),
     );
 }
 
 // NO_DEPTH less the depth of a pixel: the larger, the nearer, and zero is nothing.
-fn nearness(d: Depths, x: i32, y: i32) -> u32 {
-    return d.most - u32(clamp(d.z + d.zx * x + d.zy * y, d.low, d.high));
+fn nearness(n: Nears, x: i32, y: i32) -> u32 {
+    return bitcast<u32>(clamp(n.at + n.x * x + n.y * y, n.least, n.most));
 }
 
 // The pixels whose centers the bounding box holds: first and last column and row, however far off the film.

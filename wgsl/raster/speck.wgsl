@@ -61,8 +61,8 @@ fn speck(i: u32) -> Speck {
     let pq = small_edge(p.xy - center, q.xy - center);
     let qr = small_edge(q.xy - center, r.xy - center);
     let rp = small_edge(r.xy - center, p.xy - center);
-    let depths = depths_of(p, q, r, f32(abs(turn)), bounds.xy);
-    let plan = Plan(vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), depths);
+    let nears = nears_of(p, q, r, f32(abs(turn)), bounds.xy);
+    let plan = Plan(vec3i(pq.x, qr.x, rp.x), vec3i(pq.y, qr.y, rp.y), vec3i(pq.z, qr.z, rp.z), nears);
 
     let small = select(NOTHING, select(SMALL, LATE, LACE), there && on_film);
     let whole_kind = select(small, select(NOTHING, LATE, on_film), large);

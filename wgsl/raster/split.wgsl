@@ -31,7 +31,7 @@ fn draw(s: Speck, id: u32) {
             if ((bits.x | bits.y) != 0u) {
                 let here = first_of(bits) + block;
                 let pixel = corner + u32(here.y) * width + u32(here.x);
-                let near = nearness(s.plan.depths, here.x, here.y);
+                let near = nearness(s.plan.nears, here.x, here.y);
 #if wide
                 atomicMax(&image[pixel], (u64(near) << 32u) | u64(NONE - id));
 #else

@@ -44,7 +44,7 @@ pub fn lace(
             let pixel = origin + IVec2::new(x, y);
             let at = pixel.y as usize * lens.width as usize + pixel.x as usize;
             let (near, id) = (&nears[lens.first as usize + at], ids.get(at));
-            let now = (nearness(&seen.depths, x, y), NONE - piece.id);
+            let now = (nearness(&seen.nears, x, y), NONE - piece.id);
             let best = (near.load(Relaxed), id.map_or(NONE, |id| id.load(Relaxed)));
             if now > best && stays(drawing, lens, piece.id, pixel) {
                 near.store(now.0, Relaxed);

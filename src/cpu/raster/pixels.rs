@@ -12,7 +12,7 @@ pub fn put(seen: &Plan, y: i32, id: u32, nears: &[AtomicU32], ids: &[AtomicU32])
         }
         let of = ids.get(x as usize);
         let before = (near.load(Relaxed), of.map_or(u32::MAX, |id| id.load(Relaxed)));
-        let now = (nearness(&seen.depths, x, y), id);
+        let now = (nearness(&seen.nears, x, y), id);
         if now > before {
             near.store(now.0, Relaxed);
             if let Some(of) = of {

@@ -3,25 +3,23 @@
 use glam::{IVec2, IVec3, IVec4};
 
 use crate::math::quotient::quotient;
-use crate::tables::{Lens, NO_DEPTH, STEEPEST};
+use crate::tables::{DEEP, Lens, NO_DEPTH, STEEPEST};
 
-/// The plane of depth of a triangle, as seen from a pixel near it, its origin.
+/// The plane of nearness of a triangle, as seen from a pixel near it, its origin.
 ///
-/// At (x, y) from there the depth is `zx * x + zy * y + z`, modulo 2^32.
+/// Counted modulo 2^32. What is nearer is more; all numbers of nearness are below zero, taken for signed ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Depths {
-    /// What depth grows by from column to column.
-    pub zx: i32,
-    /// What depth grows by from row to row.
-    pub zy: i32,
-    /// Depth at the origin.
-    pub z: i32,
-    /// The least depth of the corners; no sample is below it.
-    pub low: i32,
-    /// The largest depth of the corners.
-    pub high: i32,
-    /// The nearness of depth 0: what is less by the bias.
-    pub most: u32,
+pub struct Nears {
+    /// What nearness grows by from column to column.
+    pub x: i32,
+    /// What nearness grows by from row to row.
+    pub y: i32,
+    /// Nearness at the origin.
+    pub at: i32,
+    /// That of the deepest corner; no sample is below it.
+    pub least: i32,
+    /// That of the nearest corner.
+    pub most: i32,
 }
 
 /// A triangle whose area is above zero, as seen from a pixel near it, its origin.
@@ -35,8 +33,8 @@ pub struct Plan {
     pub b: IVec3,
     /// Each edge at the origin.
     pub e: IVec3,
-    /// The depths.
-    pub depths: Depths,
+    /// How near it is.
+    pub nears: Nears,
 }
 
 /// Twice the signed area in 1/65536 pixel, in base 4096: `x * 2^24 + y * 2^12 + z` with y and z in 0 ... 4095.
@@ -104,9 +102,9 @@ fn slope(numerator: f32, area: f32) -> i32 {
     (quotient(numerator * 256.0, area) + 0.5).floor().clamp(-1_073_741_824.0, 1_073_741_824.0) as i32
 }
 
-/// The depths of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
+/// The nearness of p, q, r, whose area, doubled, is `size`, as seen from the pixel `origin`.
 #[must_use]
-pub fn depths_of(lens: &Lens, [p, q, r]: [IVec3; 3], size: f32, origin: IVec2) -> Depths {
+pub fn nears_of(lens: &Lens, [p, q, r]: [IVec3; 3], size: f32, origin: IVec2) -> Nears {
     let (u, v) = ((q - p).as_vec3(), (r - p).as_vec3());
     let zx = slope(u.z * v.y - v.z * u.y, size);
     let zy = slope(v.z * u.x - u.z * v.x, size);
@@ -116,8 +114,16 @@ pub fn depths_of(lens: &Lens, [p, q, r]: [IVec3; 3], size: f32, origin: IVec2) -
     let z = p.z.wrapping_sub(back);
     let z = z.wrapping_add(zx.wrapping_mul(origin.x - (x >> 8))).wrapping_add(zy.wrapping_mul(origin.y - (y >> 8)));
     let steep = (zx.unsigned_abs() + zy.unsigned_abs()).min(STEEPEST);
-    let bias = lens.bias + (steep >> 8) * lens.slope;
-    Depths { zx, zy, z, low: p.z.min(q.z).min(r.z), high: p.z.max(q.z).max(r.z), most: NO_DEPTH - bias }
+    // At most as much as there is of depth, so that nearness stays below zero.
+    let bias = (lens.bias + (steep >> 8) * lens.slope).min(DEEP - 1);
+    let none = (NO_DEPTH - bias) as i32;
+    Nears {
+        x: -zx,
+        y: -zy,
+        at: none.wrapping_sub(z),
+        least: none - p.z.max(q.z).max(r.z),
+        most: none - p.z.min(q.z).min(r.z),
+    }
 }
 
 /// p, q, r with an area above zero, as seen from the pixel `origin`.
@@ -130,15 +136,15 @@ pub fn plan(lens: &Lens, [p, q, r]: [IVec3; 3], origin: IVec2) -> Plan {
         a: IVec3::from_array(edges.map(|e| e.x)),
         b: IVec3::from_array(edges.map(|e| e.y)),
         e: IVec3::from_array(edges.map(|e| e.z)),
-        depths: depths_of(lens, [p, q, r], size, origin),
+        nears: nears_of(lens, [p, q, r], size, origin),
     }
 }
 
 /// [`NO_DEPTH`] less the depth of a pixel: the larger, the nearer, and zero is nothing.
 #[must_use]
-pub fn nearness(d: &Depths, x: i32, y: i32) -> u32 {
-    let z = d.z.wrapping_add(d.zx.wrapping_mul(x)).wrapping_add(d.zy.wrapping_mul(y));
-    d.most - z.clamp(d.low, d.high) as u32
+pub fn nearness(n: &Nears, x: i32, y: i32) -> u32 {
+    let at = n.at.wrapping_add(n.x.wrapping_mul(x)).wrapping_add(n.y.wrapping_mul(y));
+    at.clamp(n.least, n.most) as u32
 }
 
 /// Whether a pixel is covered.

@@ -3,7 +3,7 @@
 use glam::{IVec2, IVec3};
 
 use super::facet::one_sided;
-use super::plan::{Plan, covers, depths_of, nearness, on_film, owned, span};
+use super::plan::{Plan, covers, nearness, nears_of, on_film, owned, span};
 use crate::tables::{Corner, Face, Lens};
 
 /// What becomes of a face.
@@ -17,7 +17,7 @@ pub enum Speck {
         first: IVec2,
         /// The last pixel of its bounding box on the film.
         last: IVec2,
-        /// Its edges and depths.
+        /// Its edges and its nearness.
         plan: Plan,
     },
     /// It is large.
@@ -64,7 +64,7 @@ pub fn speck(lens: &Lens, face: &Face, corners: &[Corner]) -> Speck {
         a: IVec3::from_array(edges.map(|e| e.x)),
         b: IVec3::from_array(edges.map(|e| e.y)),
         e: IVec3::from_array(edges.map(|e| e.z)),
-        depths: depths_of(lens, [p, q, r], turn.abs() as f32, first),
+        nears: nears_of(lens, [p, q, r], turn.abs() as f32, first),
     };
     Speck::Small { first, last: IVec2::new(bounds.z, bounds.w), plan }
 }
@@ -75,7 +75,7 @@ pub fn each_pixel(lens: &Lens, first: IVec2, last: IVec2, plan: &Plan, mut visit
         for x in 0..=last.x - first.x {
             if covers(plan, x, y) {
                 let at = first + IVec2::new(x, y);
-                visit(at.y as u32 * lens.width + at.x as u32, nearness(&plan.depths, x, y));
+                visit(at.y as u32 * lens.width + at.x as u32, nearness(&plan.nears, x, y));
             }
         }
     }
