@@ -146,10 +146,13 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
             #end
             let place = first_of(group, seat.aim.octant);
             group.y ^= 0x01000000u << place;
-            size = put(group, size, &walk);
             let node = node_at(group.x + countOneBits(group.y & ((1u << place) - 1u)));
             met = boxes_met(node, seat.ray, seat.aim, walk.t);
-            group = vec2u(node.children, (met & NODES) | (node.inner >> 24u));
+            // What is left of a group stays in hand, unless there is more below.
+            if ((met & NODES) != 0u) {
+                size = put(group, size, &walk);
+                group = vec2u(node.children, (met & NODES) | (node.inner >> 24u));
+            }
             met &= PRIMITIVES;
             first = node.leaves;
             held = node.held;

@@ -13,7 +13,7 @@ use super::wide::Wides;
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::{primitive_at, ray_within};
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::walk::{Walk, planes};
+use crate::cpu::trace::walk::{Walk, past_planes};
 use crate::tables::{INSTANCE, NONE, Tables};
 
 /// A node that some of the rays are still to ask.
@@ -62,7 +62,7 @@ impl Walker<'_> {
         let mut asked =
             Asked { rays: std::array::from_fn(|i| rays[i.min(rays.len() - 1)]), walks, ids: [0; LANES], any };
         for ((ray, walk), id) in rays.iter().zip(&mut *asked.walks).zip(&mut asked.ids) {
-            planes(tables, *ray, walk, u32::MAX, any);
+            *walk = past_planes(tables, *ray, *walk, u32::MAX, any);
             if walk.hit != NONE {
                 *id = primitive_at(tables, walk.hit).leaf.id;
             }

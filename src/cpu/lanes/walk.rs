@@ -13,7 +13,7 @@ use super::wide::{Block, Wide, Wides};
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::walk::{Walk, meet, planes};
+use crate::cpu::trace::walk::{Walk, meet, past_planes};
 use crate::tables::{NONE, Tables};
 
 /// Walks of one scene, one after the other.
@@ -40,7 +40,7 @@ impl<'a> Walker<'a> {
     /// From its start to its end.
     pub fn walk(&mut self, ray: Ray, mut start: Walk, any: bool) -> Walk {
         if self.tables.settings.planes > 0 {
-            planes(self.tables, ray, &mut start, u32::MAX, any);
+            start = past_planes(self.tables, ray, start, u32::MAX, any);
         }
         if !(any && start.hit != NONE) {
             let mut found = Found { walk: start, id: 0, any };

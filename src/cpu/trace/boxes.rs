@@ -75,28 +75,31 @@ fn crossed<S: Simd>(simd: S, bytes: [u32; 2], step: f32x8<S>, from: f32x8<S>) ->
     f32x8::float_from(bytes) * step + from
 }
 
-/// What each set of children may have: three bits for a child's primitives, and one, from bit 24 up, for itself.
-const MAY_HAVE: [u32; 256] = {
+/// What each set of children may hold: three bits for a child's primitives.
+const MAY_HOLD: [u32; 256] = {
     let mut all = [0; 256];
     let mut i = 0;
     while i < 256 * 8 {
         let (set, child) = (i >> 3, i & 7);
         if set >> child & 1 == 1 {
-            all[set] |= 7 << (3 * child) | 1 << (24 + child);
+            all[set] |= 7 << (3 * child);
         }
         i += 1;
     }
     all
 };
 
-/// Twin of the kernel's, for all eight children at once.
+/// Twin of the kernel's, for all eight children at once; those that are nodes, and the primitives of the others.
+///
+/// The nodes do not wait for a table: the next one to ask hangs on them.
 #[inline(always)]
 #[must_use]
-pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> u32 {
+pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> [u32; 2] {
     let x = sides(simd, node, gaze, 0);
     let y = sides(simd, node, gaze, 1);
     let z = sides(simd, node, gaze, 2);
     let enter = x[0].max(y[0]).max(z[0].max(f32x8::splat(simd, 0.0)));
     let leave = x[1].min(y[1]).min(z[1].min(f32x8::splat(simd, t)));
-    MAY_HAVE[enter.simd_le(leave).to_bitmask() as usize % 256] & (node.inner | node.held)
+    let met = enter.simd_le(leave).to_bitmask() as u32;
+    [met << 24 & node.inner, MAY_HOLD[met as usize % 256] & node.held]
 }

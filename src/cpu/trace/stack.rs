@@ -4,12 +4,6 @@
 
 use crate::tables::STACK_FULL;
 
-/// The children that are nodes.
-pub const NODES: u32 = 0xff00_0000;
-
-/// The primitives of the others.
-pub const PRIMITIVES: u32 = 0x00ff_ffff;
-
 /// Instances that are still to be asked, in the place of children.
 pub const INSTANCES: u32 = 0x8000_0000;
 

@@ -9,7 +9,7 @@ use crate::cpu::trace::boxes::{Gaze, boxes_met};
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::stack::{INSTANCES, NODES, PRIMITIVES, first_of, is_open, put};
+use crate::cpu::trace::stack::{INSTANCES, first_of, is_open, put};
 use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, Sphere, Tables};
 
 /// Where a walk is, and what it has found.
@@ -56,7 +56,8 @@ pub fn meet(ray: Ray, aim: &Aim, per_length_squared: f32, leaf: &Leaf, i: u32) -
 }
 
 /// Asks the planes: they lie below no node.
-pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) {
+#[must_use]
+pub fn past_planes(tables: &Tables, ray: Ray, mut walk: Walk, most: u32, any: bool) -> Walk {
     while walk.next < tables.settings.planes && walk.turns < most && !(any && walk.hit != NONE) {
         let i = walk.next;
         let leaf = &tables.leaves[i as usize];
@@ -68,6 +69,7 @@ pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) 
         walk.next = i + 1;
         walk.turns += 1;
     }
+    walk
 }
 
 /// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
@@ -79,7 +81,11 @@ pub fn planes(tables: &Tables, ray: Ray, walk: &mut Walk, most: u32, any: bool) 
 /// which of them the walk is.
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
-    dispatch!(Level::new(), simd => go_on(simd, tables, stack, ray, start, most, any))
+    if tables.instances.is_empty() {
+        dispatch!(Level::new(), simd => go_on::<_, false>(simd, tables, stack, ray, start, most, any))
+    } else {
+        dispatch!(Level::new(), simd => go_on::<_, true>(simd, tables, stack, ray, start, most, any))
+    }
 }
 
 /// A seat, and the ray there as boxes ask for it: neither changes without the other.
@@ -89,8 +95,9 @@ fn gazing<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>) {
     (seat, gaze)
 }
 
+/// With `PLACED` there are instances.
 #[inline(always)]
-fn go_on<S: Simd>(
+fn go_on<S: Simd, const PLACED: bool>(
     simd: S,
     tables: &Tables,
     stack: &mut [[u32; 2]],
@@ -100,14 +107,16 @@ fn go_on<S: Simd>(
     any: bool,
 ) -> Walk {
     let mut walk = start;
-    planes(tables, ray, &mut walk, most, any);
     let planes = tables.settings.planes;
     if walk.next < planes {
-        return walk;
+        walk = past_planes(tables, ray, walk, most, any);
+        if walk.next < planes {
+            return walk;
+        }
     }
 
     let (mut seat, mut gaze) = gazing(simd, Seat::in_world(tables, ray));
-    let room = stack.len() - tables.instances.len().min(1);
+    let room = stack.len() - usize::from(PLACED);
     // The instance that the walk is in, and how much of the stack is the world's then.
     let (mut within, mut base) = (NONE, 0);
     // The number of the hit; nothing wins a tie against the reach of a ray.
@@ -115,14 +124,14 @@ fn go_on<S: Simd>(
     // What of the stack is in hand; the root is the only child of nothing.
     let mut group = [0, if walk.next == planes { 0x8000_0000 } else { 0 }];
     let mut size = (walk.next.max(planes + 1) - planes - 1) as usize;
-    if size > 0 && room < stack.len() {
+    if PLACED && size > 0 {
         [within, base] = stack[room];
         if let Some(placed) = tables.instances.get(within as usize) {
             (seat, gaze) = gazing(simd, Seat::in_instance(tables, ray, placed));
         }
     }
     while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
-        if within != NONE && size == base as usize && !is_open(group) {
+        if PLACED && within != NONE && size == base as usize && !is_open(group) {
             // Back to the world.
             within = NONE;
             (seat, gaze) = gazing(simd, Seat::in_world(tables, ray));
@@ -131,7 +140,7 @@ fn go_on<S: Simd>(
             size -= 1;
             group = stack[size];
         }
-        if group[0] >= INSTANCES {
+        if PLACED && group[0] >= INSTANCES {
             // The next of some instances: its root, the only child of nothing.
             within = tables.leaves[((group[0] ^ INSTANCES) + group[1].trailing_zeros()) as usize].material;
             group[1] &= group[1] - 1;
@@ -143,12 +152,14 @@ fn go_on<S: Simd>(
         }
         let place = first_of(group, seat.aim.octant);
         group[1] ^= 1 << (24 + place);
-        size = put(stack, room, group, size, &mut walk.flags);
         let before = group[1] & ((1 << place) - 1);
         let node = &tables.nodes[(group[0] + before.count_ones()) as usize];
-        let mut met = boxes_met(simd, node, &gaze, walk.t);
-        group = [node.children, (met & NODES) | node.inner >> 24];
-        met &= PRIMITIVES;
+        let [nodes, mut met] = boxes_met(simd, node, &gaze, walk.t);
+        // What is left of a group stays in hand, unless there is more below.
+        if nodes != 0 {
+            size = put(stack, room, group, size, &mut walk.flags);
+            group = [node.children, nodes | node.inner >> 24];
+        }
         walk.turns += 1;
         // Those of the primitives that are instances.
         let mut later = 0;
@@ -158,7 +169,7 @@ fn go_on<S: Simd>(
             met &= met - 1;
             let leaf = &tables.leaves[i as usize];
             walk.turns += 1;
-            if leaf.kind == INSTANCE {
+            if PLACED && leaf.kind == INSTANCE {
                 later |= 1 << place;
                 continue;
             }
@@ -171,13 +182,13 @@ fn go_on<S: Simd>(
                 id = leaf.id + seat.ids;
             }
         }
-        if later != 0 {
+        if PLACED && later != 0 {
             size = put(stack, room, group, size, &mut walk.flags);
             group = [node.leaves | INSTANCES, later];
         }
     }
     size = put(stack, room, group, size, &mut walk.flags);
-    if room < stack.len() {
+    if PLACED {
         stack[room] = [within, base];
     }
     walk.next = planes + 1 + size as u32;
