@@ -11,7 +11,7 @@ use super::collapse::area;
 use super::split::STEEP;
 
 /// One of so many boxes' branches may be moved, the largest, to next to any other of them; the others seldom are.
-const SHARE: usize = 64;
+const SHARE: usize = 128;
 
 /// But so many of them at least.
 const LEAST: usize = 256;
