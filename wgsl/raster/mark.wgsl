@@ -39,6 +39,6 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let i = (group.y * groups.x + group.x) * GROUP + lane;
+    let i = turn_of(group, groups) * GROUP + lane;
     mark(speck(i), part.first + i);
 }

@@ -21,6 +21,14 @@ const LATE: u32 = 2u;
 // It crosses a plane.
 const TORN: u32 = 3u;
 
+// The number of a workgroup's faces: those from the middle on are drawn backwards. A software adapter gives each thread
+// a run of workgroups, and two that draw the same pixels at a time, one layer behind the other, wait for each other.
+fn turn_of(group: vec3u, groups: vec3u) -> u32 {
+    let number = group.y * groups.x + group.x;
+    let count = groups.x * groups.y;
+    return select(number, count + count / 2u - 1u - number, number >= count / 2u);
+}
+
 struct Speck {
     kind: u32,
     // First and last pixel of its bounding box on the film, if it is small; the plan is seen from the first.
