@@ -95,7 +95,7 @@ fn gazing<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>) {
     (seat, gaze)
 }
 
-/// With `PLACED` there are instances.
+/// Without `PLACED` there are no instances, and nothing is asked about them.
 #[inline(always)]
 fn go_on<S: Simd, const PLACED: bool>(
     simd: S,

@@ -10,7 +10,8 @@ use super::binary::{Binary, Branch, Kind};
 use super::collapse::area;
 use super::split::STEEP;
 
-/// One of so many boxes' branches may be moved, the largest, to next to any other of them; the others seldom are.
+/// There is one branch that may be moved, to next to any other of them, for so many boxes. Twice as many of them save 1.4 %
+/// more of a walk's steps, and take twice the time.
 const SHARE: usize = 128;
 
 /// But so many of them at least.
@@ -29,18 +30,18 @@ pub(super) fn reinsert(tree: &mut Binary) {
     }
 }
 
-/// A branch that is among the largest.
+/// A branch of one of the largest nodes.
 #[derive(Debug, Clone, Copy)]
 struct Knot {
     bounds: Bounds,
     branch: Branch,
     /// The node that it is a branch of.
     above: u32,
-    /// The two branches of a node; none if these are not among the largest.
+    /// The two branches of a node; none if it is not among the largest.
     below: Option<[u32; 2]>,
 }
 
-/// The top of a tree: the root, and the largest branches in their order.
+/// The top of a tree: the root, and the branches of its largest nodes, those of the larger ones first.
 struct Crown {
     knots: Vec<Knot>,
     /// Where to look, and what is saved before a branch is put there.
