@@ -5,6 +5,7 @@
 
 pub mod film;
 pub mod first;
+mod four;
 mod grow;
 mod lanes;
 pub mod raster;

@@ -19,6 +19,7 @@ pub mod stack;
 pub mod steps;
 pub mod surface;
 pub mod tree;
+pub mod triangle;
 pub mod unrolled;
 pub mod walk;
 

@@ -99,6 +99,7 @@ embed! {
     "trace/steps",
     "trace/surface",
     "trace/tree",
+    "trace/triangle",
     "trace/unrolled",
     "trace/walk",
 }

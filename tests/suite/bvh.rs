@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use twinlight::cpu::trace::aim::Ray;
 use twinlight::cpu::trace::seat::Seat;
-use twinlight::cpu::trace::walk::{Walk, meet, walk};
+use twinlight::cpu::trace::walk::{Walk, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
@@ -12,6 +12,7 @@ use twinlight::prepare::{prepare, prepare_with};
 use twinlight::scene::{self, Scene, Sphere, Triangle};
 use twinlight::tables::{FAR, Leaf, NONE, Node, PLANE, SPHERE, Tables};
 
+use super::plain::meet;
 use super::{Dice, on_cpu, on_gpu, root, small};
 
 /// A scene of these triangles and nothing else.
@@ -109,7 +110,7 @@ pub(super) fn brute(tables: &Tables, ray: Ray, reach: f32, any: bool) -> Walk {
     let mut best = Walk::new(reach);
     let mut id = 0;
     for (leaf, i) in tables.leaves.iter().zip(0..) {
-        let t = meet(ray, &seat.aim, seat.per_length_squared, leaf, i);
+        let t = meet(&seat, leaf, i);
         let nearer = t < best.t || (t == best.t && leaf.id < id);
         if nearer && seat.is_solid(tables, leaf, any) {
             (best.t, best.hit, id) = (t, i, leaf.id);

@@ -6,7 +6,7 @@ use twinlight::cpu::trace::CpuTrace;
 use twinlight::cpu::trace::aim::Ray;
 use twinlight::cpu::trace::instanced::primitive_at;
 use twinlight::cpu::trace::seat::Seat;
-use twinlight::cpu::trace::walk::{Walk, meet, walk};
+use twinlight::cpu::trace::walk::{Walk, walk};
 use twinlight::cpu::{Walker, Wides};
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
@@ -17,6 +17,7 @@ use twinlight::scene::{self, Filter, Instance, Mesh, Scene};
 use twinlight::tables::{FAR, INSTANCE, NONE, SPHERE, Tables};
 use twinlight::trace;
 
+use super::plain::meet;
 use super::raster_frames::painted;
 use super::stages::walk_along;
 use super::trace_lace::lace;
@@ -57,7 +58,7 @@ fn brute(tables: &Tables, ray: Ray, reach: f32, any: bool) -> Walk {
         for i in first..first + count {
             let leaf = &tables.leaves[i as usize];
             let number = i.wrapping_add(seat.numbers);
-            let t = meet(seat.ray, &seat.aim, seat.per_length_squared, leaf, number);
+            let t = meet(seat, leaf, number);
             let nearer = t < best.t || (t == best.t && leaf.id + seat.ids < id);
             if leaf.kind != INSTANCE && nearer && seat.is_solid(tables, leaf, any) {
                 (best.t, best.hit, id) = (t, number, leaf.id + seat.ids);

@@ -33,6 +33,7 @@ mod oracle;
 #[allow(dead_code, unreachable_pub, reason = "other tests and targets ask for the rest")]
 mod parsers;
 mod parts;
+mod plain;
 mod quotient;
 mod raster_exact;
 mod raster_frames;

@@ -16,7 +16,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("trace/meet", "dot(e, e) - r2", "dot(e, e) - r2 * 1.0001", "room"),
     ("trace/meet", "b > 0.0", "b < 0.0", "room"),
     ("trace/meet", "plane.point - ray.origin", "plane.point + ray.origin", "room"),
-    ("trace/meet", "e.z * c.z", "e.z * b.z", "pyramid"),
+    ("trace/triangle", "e.z * c.z", "e.z * b.z", "pyramid"),
     ("trace/boxes", "enter <= leave", "enter * 1.01 <= leave", "bust"),
     ("trace/boxes", "back.y);\n    let near_z", "!back.y);\n    let near_z", "bust"),
     ("trace/walk", "held & ~met & (met - 1u)", "held & (met - 1u)", "bust"),

@@ -4,7 +4,6 @@
 #import "tables/instance.wgsl"
 #import "trace/aim.wgsl"
 #import "trace/hold.wgsl"
-#import "trace/meet.wgsl"
 
 // Halvings of all instances until one is left.
 const HALVINGS: u32 = $halvings;

@@ -1,7 +1,7 @@
 // a triangle that a ray meets -> whether it is there: not seen from its back, and not where its picture has a hole
 #import "shade/look.wgsl"
 #import "trace/hold.wgsl"
-#import "trace/meet.wgsl"
+#import "trace/triangle.wgsl"
 
 // What stands in a light's way, as `any` asks, has two sides: so it is drawn, too. `number` of its face and `material`
 // are the triangle's own, whichever tree it lies below.

@@ -8,6 +8,7 @@
 #import "trace/meet.wgsl"
 #import "trace/seat.wgsl"
 #import "trace/solid.wgsl"
+#import "trace/triangle.wgsl"
 #import "trace/boxes.wgsl"
 #import "trace/instanced.wgsl"
 #import "trace/stack.wgsl"

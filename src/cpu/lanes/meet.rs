@@ -65,7 +65,7 @@ pub(super) struct Seen<S: Simd> {
 }
 
 impl<S: Simd> Seen<S> {
-    /// Twin of [`meet_triangle`](crate::cpu::trace::meet::meet_triangle): the distances, and which of those that are
+    /// Twin of [`meet_triangle`](crate::cpu::trace::triangle::meet_triangle): the distances, and which of those that are
     /// asked are met up to `most`.
     #[inline(always)]
     pub(super) fn meet(&self, asked: mask32x8<S>, most: f32x8<S>) -> (f32x8<S>, mask32x8<S>) {

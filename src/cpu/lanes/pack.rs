@@ -12,7 +12,7 @@ use super::walk::Found;
 use super::wide::Wide;
 use crate::cpu::trace::aim::{Aim, Ray};
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::walk::{Walk, meet};
+use crate::cpu::trace::walk::Walk;
 use crate::tables::{Leaf, PLANE, SPHERE, Tables};
 
 /// What the rays have found so far.
@@ -164,8 +164,7 @@ impl<'a, S: Simd> Pack<'a, S> {
     /// The distances to a triangle, and who of those that ask meets it.
     #[inline(always)]
     fn triangle(&self, leaf: &Leaf, asking: mask32x8<S>, reach: f32x8<S>) -> (f32x8<S>, mask32x8<S>) {
-        let axis = self.seat.aim.axis as usize;
-        let axes = [(axis + 1) % 3, (axis + 2) % 3, axis % 3];
+        let axes = self.seat.aim.axes;
         let a = each!(i => f32x8::splat(self.simd, leaf.a[axes[i]]) - self.origin[axes[i]]);
         let b = each!(i => f32x8::splat(self.simd, leaf.b[axes[i]]) - self.origin[axes[i]]);
         let c = each!(i => f32x8::splat(self.simd, leaf.c[axes[i]]) - self.origin[axes[i]]);
@@ -185,8 +184,7 @@ impl<'a, S: Simd> Pack<'a, S> {
             let bits = asking.to_bitmask();
             let mut t = [f32::INFINITY; LANES];
             for (i, t) in t.iter_mut().enumerate().filter(|(i, _)| bits & 1 << i != 0) {
-                let seat = self.seat(i);
-                *t = meet(seat.ray, &seat.aim, seat.per_length_squared, leaf, number);
+                *t = self.seat(i).meet_sphere(leaf, number);
             }
             (f32x8::simd_from(simd, t), asking)
         } else {

@@ -13,7 +13,7 @@ use super::wide::{Block, Wide, Wides};
 use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::walk::{Walk, meet, past_planes};
+use crate::cpu::trace::walk::{Walk, past_planes};
 use crate::tables::{NONE, Tables};
 
 /// Walks of one scene, one after the other.
@@ -217,11 +217,7 @@ impl<S: Simd> Eyes<S> {
             let leaf = &tables.leaves[i as usize];
             let number = i.wrapping_add(self.seat.numbers);
             let sphere = block.spheres & 1 << lane != 0;
-            let t = if sphere {
-                meet(self.seat.ray, &self.seat.aim, self.seat.per_length_squared, leaf, number)
-            } else {
-                distances[lane]
-            };
+            let t = if sphere { self.seat.meet_sphere(leaf, number) } else { distances[lane] };
             let own = !sphere && number == self.seat.ray.leaves;
             let nearer = !own && (t < walk.t || (t == walk.t && leaf.id + self.seat.ids < *id));
             if nearer && self.seat.is_solid(tables, leaf, *any) {
@@ -254,11 +250,7 @@ impl<S: Simd> Eyes<S> {
     /// The distances to a block's triangles, and a bit for each that is met up to `most`.
     #[inline(always)]
     fn triangles(&self, block: &Block, most: f32) -> (f32x8<S>, u32) {
-        let axes = [
-            (self.seat.aim.axis as usize + 1) % 3,
-            (self.seat.aim.axis as usize + 2) % 3,
-            self.seat.aim.axis as usize % 3,
-        ];
+        let axes = self.seat.aim.axes;
         let a = self.from(&block.corners[0], axes);
         let b = self.from(&block.corners[1], axes);
         let c = self.from(&block.corners[2], axes);

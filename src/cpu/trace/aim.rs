@@ -5,7 +5,7 @@
     reason = "walks in lanes are compiled for a SIMD level, and what they call for none costs a sixth of their time"
 )]
 
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 
 /// A ray in world space.
 #[derive(Debug, Clone, Copy)]
@@ -21,9 +21,10 @@ pub struct Ray {
 /// A ray as triangles and boxes ask for it.
 #[derive(Debug, Clone, Copy)]
 pub struct Aim {
-    /// Which of the axes the ray runs along most; with `shear`, a frame in which it runs along the third from zero.
-    pub axis: u32,
-    /// See `axis`.
+    /// The axes in turn, so that the ray runs along the third most; with `shear`, a frame in which it runs along the
+    /// third from zero. In each turn no handedness changes.
+    pub axes: [usize; 3],
+    /// See `axes`.
     pub shear: Vec3,
     /// One over the direction, no part of which counts as zero.
     pub inverse: Vec3,
@@ -35,27 +36,14 @@ pub struct Aim {
     pub octant: u32,
 }
 
-/// The axes in turn, so that the third is number `axis`; cyclic, so that no handedness changes.
-#[inline(always)]
-#[must_use]
-pub fn turned(v: Vec3, axis: u32) -> Vec3 {
-    match axis {
-        0 => Vec3::new(v.y, v.z, v.x),
-        1 => Vec3::new(v.z, v.x, v.y),
-        _ => v,
-    }
-}
+/// By which axis is the third.
+const TURNS: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
 
 /// No part closer to zero than this.
 #[inline(always)]
-fn apart(x: f32, least: f32) -> f32 {
-    if x.abs() >= least {
-        x
-    } else if x < 0.0 {
-        -least
-    } else {
-        least
-    }
+fn apart(v: Vec3A, least: Vec3A) -> Vec3A {
+    let away = Vec3A::select(v.cmplt(Vec3A::ZERO), -least, least);
+    Vec3A::select(v.abs().cmpge(least), v, away)
 }
 
 /// With u = 2^-24 and `reach` the longest way from the ray's origin to a corner of the tree: the corners of a
@@ -66,21 +54,25 @@ fn apart(x: f32, least: f32) -> f32 {
 #[must_use]
 pub fn aim_of(ray: Ray, low: Vec3, high: Vec3) -> Aim {
     let size = ray.direction.abs();
-    let axis = if size.x > size.y && size.x > size.z {
-        0
-    } else if size.y > size.z {
-        1
-    } else {
-        2
-    };
-    let d = turned(ray.direction, axis);
-    let shear = Vec3::new(d.x / d.z, d.y / d.z, 1.0 / d.z);
-    let least = d.z.abs() * 9.313226e-10;
-    let inverse = 1.0 / ray.direction.map(|x| apart(x, least));
-    let away = (low - ray.origin).abs().max((high - ray.origin).abs());
+    // No branches: they would be guessed wrong for rays that go anywhere.
+    let [to_x, to_y] = [usize::from(size.x > size.y.max(size.z)), usize::from(size.y > size.z)];
+    let axes = TURNS[(1 - to_x) * (2 - to_y)];
+    let [x, y, z] = axes.map(|axis| ray.direction.to_array()[axis]);
+    let shear = Vec3::new(x / z, y / z, 1.0 / z);
+    let least = size.max_element() * 9.313226e-10;
+    let inverse = 1.0 / apart(Vec3A::from(ray.direction), Vec3A::splat(least));
+    let [low, high, origin] = [low, high, ray.origin].map(Vec3A::from);
+    let away = (low - origin).abs().max((high - origin).abs());
     let reach = away.x.max(away.y.max(away.z));
     let per_side = inverse.abs() * reach;
     let bit = |x: f32, bit: u32| if x < 0.0 { 0 } else { bit };
     let octant = bit(ray.direction.x, 4) | bit(ray.direction.y, 2) | bit(ray.direction.z, 1);
-    Aim { axis, shear, inverse, own: per_side * 9.536743e-7, slack: per_side * 3.8146973e-6, octant }
+    Aim {
+        axes,
+        shear,
+        inverse: inverse.into(),
+        own: (per_side * 9.536743e-7).into(),
+        slack: (per_side * 3.8146973e-6).into(),
+        octant,
+    }
 }

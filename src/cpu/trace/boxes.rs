@@ -3,10 +3,10 @@
 #![expect(clippy::inline_always, reason = "see `aim`")]
 
 use fearless_simd::prelude::*;
-use fearless_simd::{f32x8, i32x8, u8x16, u32x4, u32x8};
-use glam::Vec3;
+use fearless_simd::{f32x4, f32x8, i32x8, u8x16, u32x4, u32x8};
 
-use crate::cpu::trace::aim::{Aim, Ray};
+use crate::cpu::four::{four, from_lanes};
+use crate::cpu::trace::seat::Seat;
 use crate::tables::Node;
 
 /// Eight bytes as numbers. Of an array of bytes the compiler makes shifts of twice the width.
@@ -17,55 +17,71 @@ fn widened<S: Simd>(simd: S, [low, high]: [u32; 2]) -> u32x8<S> {
     simd.combine_u32x4(low, high)
 }
 
-/// A ray as boxes ask for it, in all lanes: at `corner - origin` times `inverse`, less or more `slack`, it crosses a
-/// corner's planes.
+/// A ray as boxes ask for it: at `corner - origin` times `inverse`, less or more `slack`, it crosses a corner's planes.
 #[derive(Debug, Clone, Copy)]
 pub struct Gaze<S: Simd> {
-    origin: [f32x8<S>; 3],
-    inverse: [f32x8<S>; 3],
-    slack: [f32x8<S>; 3],
+    origin: f32x4<S>,
+    inverse: f32x4<S>,
+    slack: f32x4<S>,
     /// Which rows of a node hold the near sides; the far ones are in the other row of an axis.
     near: [usize; 3],
 }
 
-/// A node's words: rows 4 to 6 are the low sides, 7 to 9 the high ones.
-type Rows = [[u32; 2]; 10];
-
-#[inline(always)]
-fn splat<S: Simd>(simd: S, v: Vec3) -> [f32x8<S>; 3] {
-    [f32x8::splat(simd, v.x), f32x8::splat(simd, v.y), f32x8::splat(simd, v.z)]
-}
-
 impl<S: Simd> Gaze<S> {
-    /// Of a ray in world space, or in an instance's.
+    /// Of the ray of a seat.
     #[inline(always)]
     #[must_use]
-    pub fn new(simd: S, ray: Ray, aim: &Aim) -> Self {
+    pub fn new(simd: S, Seat { ray, aim, .. }: &Seat) -> Self {
         let near = |axis: usize| if aim.inverse[axis] < 0.0 { 7 + axis } else { 4 + axis };
         let near = [near(0), near(1), near(2)];
         Self {
-            origin: splat(simd, ray.origin),
-            inverse: splat(simd, aim.inverse),
-            slack: splat(simd, aim.slack),
+            origin: four(simd, ray.origin),
+            inverse: four(simd, aim.inverse),
+            slack: four(simd, aim.slack),
             near,
         }
     }
 }
 
+/// A node's words: rows 4 to 6 are the low sides, 7 to 9 the high ones.
+type Rows = [[u32; 2]; 10];
+
+/// A node's exponents, one of each axis, behind its corner.
+const EXPONENTS: [u8; 16] = {
+    let mut bytes = [u8::MAX; 16];
+    [bytes[0], bytes[4], bytes[8]] = [12, 13, 14];
+    bytes
+};
+
+/// How long a step is on each axis, and where the ray crosses the near and the far sides that lie at the corner.
+#[inline(always)]
+fn at_corner<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>) -> [f32x4<S>; 3] {
+    let rows: &[[f32; 4]; 5] = bytemuck::cast_ref(node);
+    let corner = f32x4::simd_from(simd, rows[0]);
+    let bytes: u8x16<S> = corner.bitcast();
+    let exponents: u32x4<S> = bytes.swizzle_dyn_precise(u8x16::simd_from(simd, EXPONENTS)).bitcast();
+    let steps: f32x4<S> = (exponents << 23).bitcast();
+    let at = (corner - gaze.origin) * gaze.inverse;
+    [steps * gaze.inverse, at - gaze.slack, at + gaze.slack]
+}
+
+/// One of four lanes in all eight.
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: f32x4<S>, lane: usize) -> f32x8<S> {
+    const LANES: [[u8; 16]; 3] = [from_lanes([0; 4]), from_lanes([1; 4]), from_lanes([2; 4])];
+    let v = v.swizzle_dyn_within_blocks(u8x16::simd_from(simd, LANES[lane]));
+    simd.combine_f32x4(v, v)
+}
+
 /// Where the ray crosses the near and the far sides of the children's boxes on one axis.
 #[inline(always)]
-fn sides<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, axis: usize) -> [f32x8<S>; 2] {
-    let rows: &Rows = bytemuck::cast_ref(node);
-    // The axis' byte of the four, where a number has its exponent.
-    let exponent = (u32x8::splat(simd, node.steps) << (23 - 8 * axis as u32)) & 0x7f80_0000;
-    let step: f32x8<S> = exponent.bitcast();
-    let step = step * gaze.inverse[axis];
-    let at = (f32x8::splat(simd, node.corner[axis]) - gaze.origin[axis]) * gaze.inverse[axis];
-    let near = gaze.near[axis];
-    let [near, far] = [rows[near], rows[11 + 2 * axis - near]];
-    let near = crossed(simd, near, step, at - gaze.slack[axis]);
-    let far = crossed(simd, far, step, at + gaze.slack[axis]);
-    [near, far]
+fn sides<S: Simd>(simd: S, rows: &Rows, near: usize, at_corner: [f32x4<S>; 3], axis: usize) -> [f32x8<S>; 2] {
+    let step = splat(simd, at_corner[0], axis);
+    let far = 11 + 2 * axis - near;
+    [
+        crossed(simd, rows[near], step, splat(simd, at_corner[1], axis)),
+        crossed(simd, rows[far], step, splat(simd, at_corner[2], axis)),
+    ]
 }
 
 /// Where the ray crosses one side of each child's box.
@@ -95,11 +111,13 @@ const MAY_HOLD: [u32; 256] = {
 #[inline(always)]
 #[must_use]
 pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> [u32; 2] {
-    let x = sides(simd, node, gaze, 0);
-    let y = sides(simd, node, gaze, 1);
-    let z = sides(simd, node, gaze, 2);
+    let at_corner = at_corner(simd, node, gaze);
+    let rows: &Rows = bytemuck::cast_ref(node);
+    let x = sides(simd, rows, gaze.near[0], at_corner, 0);
+    let y = sides(simd, rows, gaze.near[1], at_corner, 1);
+    let z = sides(simd, rows, gaze.near[2], at_corner, 2);
     let enter = x[0].max(y[0]).max(z[0].max(f32x8::splat(simd, 0.0)));
     let leave = x[1].min(y[1]).min(z[1].min(f32x8::splat(simd, t)));
     let met = enter.simd_le(leave).to_bitmask() as u32;
-    [met << 24 & node.inner, MAY_HOLD[met as usize % 256] & node.held]
+    [met & node.inner >> 24, MAY_HOLD[met as usize % 256] & node.held]
 }

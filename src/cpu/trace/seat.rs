@@ -6,8 +6,9 @@ use glam::Vec3;
 
 use crate::cpu::trace::aim::{Aim, Ray, aim_of};
 use crate::cpu::trace::instanced::ray_within;
+use crate::cpu::trace::meet::meet_sphere;
 use crate::cpu::trace::solid::is_solid;
-use crate::tables::{Instance, Leaf, PLANE, Tables};
+use crate::tables::{Instance, Leaf, PLANE, Sphere, Tables};
 
 /// A ray as the tree in hand has it, and what numbers of leaves grow by: the world's, or those of an instance.
 #[derive(Debug, Clone, Copy)]
@@ -60,6 +61,14 @@ impl Seat {
     #[must_use]
     pub fn is_solid(&self, tables: &Tables, leaf: &Leaf, any: bool) -> bool {
         let own = [leaf.id.wrapping_add(self.faces[0]), leaf.material.wrapping_add(self.faces[1])];
-        leaf.kind <= PLANE || is_solid(tables, self.ray, &self.aim, leaf, own, any)
+        leaf.kind <= PLANE || is_solid(tables, self, leaf, own, any)
+    }
+
+    /// The distance to a sphere below a node; `number` as that of a hit.
+    #[inline(always)]
+    #[must_use]
+    pub fn meet_sphere(&self, leaf: &Leaf, number: u32) -> f32 {
+        let sphere = Sphere { center: leaf.a, radius: leaf.b.x, ..bytemuck::Zeroable::zeroed() };
+        meet_sphere(self.ray, &sphere, self.per_length_squared, self.ray.leaves == number)
     }
 }

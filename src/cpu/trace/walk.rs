@@ -4,13 +4,14 @@
 
 use fearless_simd::{Level, Simd, dispatch};
 
-use crate::cpu::trace::aim::{Aim, Ray};
+use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::boxes::{Gaze, boxes_met};
 use crate::cpu::trace::instanced::primitive_at;
-use crate::cpu::trace::meet::{meet_plane, meet_sphere, meet_triangle};
+use crate::cpu::trace::meet::meet_plane;
 use crate::cpu::trace::seat::Seat;
-use crate::cpu::trace::stack::{INSTANCES, first_of, is_open, put};
-use crate::tables::{FAR, INSTANCE, Leaf, NONE, Plane, SPHERE, Sphere, Tables};
+use crate::cpu::trace::stack::{Group, INSTANCES, put};
+use crate::cpu::trace::triangle::{Sight, meet_triangle};
+use crate::tables::{FAR, INSTANCE, NONE, Plane, SPHERE, Tables};
 
 /// Where a walk is, and what it has found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,20 +42,6 @@ impl Walk {
     }
 }
 
-/// The distance to where a ray meets leaf `i`, which is not a plane.
-#[inline(always)]
-#[must_use]
-pub fn meet(ray: Ray, aim: &Aim, per_length_squared: f32, leaf: &Leaf, i: u32) -> f32 {
-    if leaf.kind == SPHERE {
-        let sphere = Sphere { center: leaf.a, radius: leaf.b.x, ..bytemuck::Zeroable::zeroed() };
-        return meet_sphere(ray, &sphere, per_length_squared, ray.leaves == i);
-    }
-    if ray.leaves == i {
-        return FAR;
-    }
-    meet_triangle(ray, leaf, aim)
-}
-
 /// Asks the planes: they lie below no node.
 #[must_use]
 pub fn past_planes(tables: &Tables, ray: Ray, mut walk: Walk, most: u32, any: bool) -> Walk {
@@ -82,26 +69,28 @@ pub fn past_planes(tables: &Tables, ray: Ray, mut walk: Walk, most: u32, any: bo
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     if tables.instances.is_empty() {
-        dispatch!(Level::new(), simd => go_on::<_, false>(simd, tables, stack, ray, start, most, any))
+        dispatch!(Level::new(), simd => go_on::<_, false>(simd, tables, stack, &ray, start, most, any))
     } else {
-        dispatch!(Level::new(), simd => go_on::<_, true>(simd, tables, stack, ray, start, most, any))
+        dispatch!(Level::new(), simd => go_on::<_, true>(simd, tables, stack, &ray, start, most, any))
     }
 }
 
-/// A seat, and the ray there as boxes ask for it: neither changes without the other.
+/// A seat, and the ray there as boxes and as triangles ask for it: none of them changes without the others.
 #[inline(always)]
-fn gazing<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>) {
-    let gaze = Gaze::new(simd, seat.ray, &seat.aim);
-    (seat, gaze)
+fn seated<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>, Sight<S>) {
+    let gaze = Gaze::new(simd, &seat);
+    let sight = Sight::new(simd, &seat);
+    (seat, gaze, sight)
 }
 
-/// Without `PLACED` there are no instances, and nothing is asked about them.
+/// Without `PLACED` there are no instances, and nothing is asked about them. The ray is not copied: a copy made in
+/// sixteens of what was just written in eights waits until that is in the cache, and holds up all that comes after.
 #[inline(always)]
 fn go_on<S: Simd, const PLACED: bool>(
     simd: S,
     tables: &Tables,
     stack: &mut [[u32; 2]],
-    ray: Ray,
+    ray: &Ray,
     start: Walk,
     most: u32,
     any: bool,
@@ -109,56 +98,56 @@ fn go_on<S: Simd, const PLACED: bool>(
     let mut walk = start;
     let planes = tables.settings.planes;
     if walk.next < planes {
-        walk = past_planes(tables, ray, walk, most, any);
+        walk = past_planes(tables, *ray, walk, most, any);
         if walk.next < planes {
             return walk;
         }
     }
 
-    let (mut seat, mut gaze) = gazing(simd, Seat::in_world(tables, ray));
+    let (mut seat, mut gaze, mut sight) = seated(simd, Seat::in_world(tables, *ray));
     let room = stack.len() - usize::from(PLACED);
     // The instance that the walk is in, and how much of the stack is the world's then.
     let (mut within, mut base) = (NONE, 0);
     // The number of the hit; nothing wins a tie against the reach of a ray.
     let mut id = if walk.hit == NONE { 0 } else { primitive_at(tables, walk.hit).leaf.id };
-    // What of the stack is in hand; the root is the only child of nothing.
-    let mut group = [0, if walk.next == planes { 0x8000_0000 } else { 0 }];
+    // What of the stack is in hand.
+    let mut group = if walk.next == planes { Group::root(0) } else { Group::NONE };
     let mut size = (walk.next.max(planes + 1) - planes - 1) as usize;
     if PLACED && size > 0 {
         [within, base] = stack[room];
         if let Some(placed) = tables.instances.get(within as usize) {
-            (seat, gaze) = gazing(simd, Seat::in_instance(tables, ray, placed));
+            (seat, gaze, sight) = seated(simd, Seat::in_instance(tables, *ray, placed));
         }
     }
-    while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || is_open(group)) {
-        if PLACED && within != NONE && size == base as usize && !is_open(group) {
+    while walk.turns < most && !(any && walk.hit != NONE) && (size > 0 || group.is_open()) {
+        if PLACED && within != NONE && size == base as usize && !group.is_open() {
             // Back to the world.
             within = NONE;
-            (seat, gaze) = gazing(simd, Seat::in_world(tables, ray));
+            (seat, gaze, sight) = seated(simd, Seat::in_world(tables, *ray));
         }
-        if !is_open(group) {
+        if !group.is_open() {
             size -= 1;
-            group = stack[size];
+            group = Group::of(stack[size]);
         }
-        if PLACED && group[0] >= INSTANCES {
+        if PLACED && group.begin >= INSTANCES {
             // The next of some instances: its root, the only child of nothing.
-            within = tables.leaves[((group[0] ^ INSTANCES) + group[1].trailing_zeros()) as usize].material;
-            group[1] &= group[1] - 1;
+            within = tables.leaves[((group.begin ^ INSTANCES) + group.nodes.trailing_zeros()) as usize].material;
+            group.nodes &= group.nodes - 1;
             size = put(stack, room, group, size, &mut walk.flags);
             base = size as u32;
             let placed = &tables.instances[within as usize];
-            (seat, gaze) = gazing(simd, Seat::in_instance(tables, ray, placed));
-            group = [placed.root, 0x8000_0000];
+            (seat, gaze, sight) = seated(simd, Seat::in_instance(tables, *ray, placed));
+            group = Group::root(placed.root);
         }
-        let place = first_of(group, seat.aim.octant);
-        group[1] ^= 1 << (24 + place);
-        let before = group[1] & ((1 << place) - 1);
-        let node = &tables.nodes[(group[0] + before.count_ones()) as usize];
-        let [nodes, mut met] = boxes_met(simd, node, &gaze, walk.t);
+        let place = group.first(seat.aim.octant);
+        group.left ^= 1 << place;
+        let before = group.nodes & ((1 << place) - 1);
+        let node = &tables.nodes[(group.begin + before.count_ones()) as usize];
+        let [left, mut met] = boxes_met(simd, node, &gaze, walk.t);
         // What is left of a group stays in hand, unless there is more below.
-        if nodes != 0 {
+        if left != 0 {
             size = put(stack, room, group, size, &mut walk.flags);
-            group = [node.children, nodes | node.inner >> 24];
+            group = Group { begin: node.children, left, nodes: node.inner >> 24 };
         }
         walk.turns += 1;
         // Those of the primitives that are instances.
@@ -174,7 +163,13 @@ fn go_on<S: Simd, const PLACED: bool>(
                 continue;
             }
             let number = i.wrapping_add(seat.numbers);
-            let t = meet(seat.ray, &seat.aim, seat.per_length_squared, leaf, number);
+            let t = if leaf.kind == SPHERE {
+                seat.meet_sphere(leaf, number)
+            } else if seat.ray.leaves == number {
+                FAR
+            } else {
+                meet_triangle(simd, leaf, &sight)
+            };
             let nearer = t < walk.t || (t == walk.t && leaf.id + seat.ids < id);
             if nearer && seat.is_solid(tables, leaf, any) {
                 walk.t = t;
@@ -184,7 +179,7 @@ fn go_on<S: Simd, const PLACED: bool>(
         }
         if PLACED && later != 0 {
             size = put(stack, room, group, size, &mut walk.flags);
-            group = [node.leaves | INSTANCES, later];
+            group = Group { begin: node.leaves | INSTANCES, left: 0, nodes: later };
         }
     }
     size = put(stack, room, group, size, &mut walk.flags);
