@@ -4,7 +4,7 @@
 //! pixels -> [cast -> follow -> gather] x rounds -> Film    (or steps in the place of follow)
 //! ```
 //!
-//! A pixel's ray tree lives in a [`Path`] and can be put down after any loop turn. So one round of the three
+//! A pixel's ray tree lives in a [`Path`](crate::tables::Path) and can be put down after any loop turn. So one round of the three
 //! stages starts the pixels that are idle, follows every tree for as long as a budget of loop turns lasts, and
 //! gathers the trees that are finished; rounds are repeated until every pixel has all its samples. Neither the
 //! budget nor the number of pixels in hand can show in the picture.
@@ -14,61 +14,15 @@
 
 pub mod grow;
 mod passes;
+mod paths;
 
 pub use passes::{Until, passes};
+pub use paths::Paths;
 
 use std::ops::{ControlFlow, Range};
 
-use bytemuck::Zeroable as _;
-
 use crate::film::{Band, Film, Run, Share, Watch, split};
-use crate::tables::{NONE, Path, Slice, Tables, Waiting};
-
-/// The ray trees of a run of pixels, with their part of the film, in host memory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Paths {
-    /// Which pixels, counted along rows from the top left.
-    pub pixels: Range<u32>,
-    /// One for each pixel.
-    pub paths: Vec<Path>,
-    /// The stacks: `max_depth` places for each pixel.
-    pub waiting: Vec<Waiting>,
-    /// The stacks of walks that are put down: `deep` places for each pixel.
-    pub walks: Vec<[u32; 2]>,
-    /// Red, green, blue and the number of samples in the sum.
-    pub sums: Vec<[f32; 4]>,
-    /// Of the samples' luminances, summed.
-    pub squares: Vec<f32>,
-    /// What the first ray of the first sample met.
-    pub ids: Vec<u32>,
-}
-
-impl Paths {
-    /// Pixels with no sample yet.
-    #[must_use]
-    pub fn new(pixels: Range<u32>, tables: &Tables) -> Self {
-        let count = pixels.len();
-        Self {
-            pixels,
-            paths: vec![Path::zeroed(); count],
-            waiting: vec![Waiting::zeroed(); count * tables.settings.max_depth as usize],
-            walks: vec![[0; 2]; count * tables.deep as usize],
-            sums: vec![[0.0; 4]; count],
-            squares: vec![0.0; count],
-            ids: vec![NONE; count],
-        }
-    }
-
-    /// Pixels that have the samples of a run, and get those up to `end`.
-    #[must_use]
-    pub fn of(run: &Run, end: u32, tables: &Tables) -> Self {
-        let mut paths = Self::new(run.pixels.clone(), tables);
-        for (i, path) in paths.paths.iter_mut().enumerate() {
-            path.sample = if run.has_ended(i) { end } else { run.samples.end };
-        }
-        Self { sums: run.sums.clone(), squares: run.squares.clone(), ids: run.ids.clone(), ..paths }
-    }
-}
+use crate::tables::{Slice, Tables};
 
 /// One method a stage: `wgsl/trace/NAME.wgsl` and `cpu/trace/NAME.rs` do the same.
 pub trait Trace {

@@ -83,8 +83,8 @@ fn seated<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>, Sight<S>) {
     (seat, gaze, sight)
 }
 
-/// Without `PLACED` there are no instances, and nothing is asked about them. The ray is not copied: a copy made in
-/// sixteens of what was just written in eights waits until that is in the cache, and holds up all that comes after.
+/// Without `PLACED` there are no instances, and nothing is asked about them. The ray is not copied: a copy that reads
+/// sixteen bytes at a time what was just written eight at a time waits for the cache, and all that comes after waits, too.
 #[inline(always)]
 fn go_on<S: Simd, const PLACED: bool>(
     simd: S,
