@@ -4,9 +4,9 @@
 //! pixels -> [cast -> follow -> gather] x rounds -> Film    (or steps in the place of follow)
 //! ```
 //!
-//! A pixel's ray tree lives in a [`Path`](crate::tables::Path) and can be put down after any loop turn. So one round of the three
-//! stages starts the pixels that are idle, follows every tree for as long as a budget of loop turns lasts, and
-//! gathers the trees that are finished; rounds are repeated until every pixel has all its samples. Neither the
+//! A pixel's ray tree lives in a [`Path`](crate::tables::Path) and can be put down after any loop turn. So one round
+//! of the three stages starts the pixels that are idle, follows every tree for as long as a budget of loop turns lasts,
+//! and gathers the trees that are finished; rounds are repeated until every pixel has all its samples. Neither the
 //! budget nor the number of pixels in hand can show in the picture.
 //!
 //! Samples are summed in blocks of [`BLOCK`], and the blocks' sums are added in order. So a frame that is stopped,

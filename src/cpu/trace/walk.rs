@@ -84,7 +84,7 @@ fn seated<S: Simd>(simd: S, seat: Seat) -> (Seat, Gaze<S>, Sight<S>) {
 }
 
 /// Without `PLACED` there are no instances, and nothing is asked about them. The ray is not copied: a copy that reads
-/// sixteen bytes at a time what was just written eight at a time waits for the cache, and all that comes after waits, too.
+/// sixteen bytes at a time what was just written eight at a time waits for the cache, and so does all that comes after.
 #[inline(always)]
 fn go_on<S: Simd, const PLACED: bool>(
     simd: S,
