@@ -2,6 +2,9 @@
 
 const LOG2_RANGE: f32 = 1.414_213_5;
 
+/// 2 / (n ln 2) for n = 1, 3, 5, 7: of the logarithm to base 2, also where it is taken in lanes.
+pub const LOG2_SERIES: [f32; 4] = [2.885_39, 0.961_796_7, 0.577_078_04, 0.412_198_57];
+
 /// The base-2 logarithm of a positive, normal `x`, to about 2e-7.
 ///
 /// The series of atanh at `(m - 1) / (m + 1)`, m the mantissa in [0.707, 1.414].
@@ -16,7 +19,8 @@ pub fn log2_exact(x: f32) -> f32 {
     }
     let s = (mantissa - 1.0) / (mantissa + 1.0);
     let q = s * s;
-    let series = 2.885_39 + q * (0.961_796_7 + q * (0.577_078 + q * 0.412_198_57));
+    let [a, b, c, d] = LOG2_SERIES;
+    let series = a + q * (b + q * (c + q * d));
     exponent as f32 + s * series
 }
 

@@ -5,7 +5,7 @@ use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::Film;
 use twinlight::film::compare::{Standard, compare};
 use twinlight::gpu::wgsl::Sources;
-use twinlight::scene::{Material, Show};
+use twinlight::scene::{self, Material, Method, Show};
 use twinlight::tables::NONE;
 use twinlight::trace;
 
@@ -25,6 +25,20 @@ fn shipped_scenes_are_the_same_to_the_bit() {
             same(&scene_on_cpu(&scene), &gpu, &path.display().to_string());
             let lit = (0..gpu.pixels()).filter(|&p| gpu.color(p).max_element() > 0.05).count();
             assert!(lit * 4 > gpu.pixels() as usize, "{}: a black picture proves nothing", path.display());
+        }
+    }
+}
+
+#[test]
+fn shipped_scenes_are_the_same_at_their_own_size() {
+    // What one input in a hundred thousand shows.
+    for path in scenes() {
+        let own = scene::load(&path).unwrap_or_else(|e| panic!("{e}"));
+        let mut scene = small(&path, own.film.size, 1);
+        for method in [Method::Trace, Method::Raster] {
+            scene.method = method;
+            let gpu = scene_on_gpu(&Sources::default(), &scene).expect("a film");
+            same(&scene_on_cpu(&scene), &gpu, &path.display().to_string());
         }
     }
 }

@@ -34,6 +34,7 @@ mod oracle;
 mod parsers;
 mod parts;
 mod plain;
+mod power;
 mod quotient;
 mod raster_exact;
 mod raster_frames;

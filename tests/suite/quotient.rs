@@ -7,7 +7,7 @@ use twinlight::math::whole::whole;
 
 use super::{Dice, gpu};
 
-const KERNEL: &str = r#"#import "math/FUNCTION.wgsl"
+const KERNEL: &str = r#"#import "math/NAME.wgsl"
 @group(0) @binding(0) var<storage, read> pairs: array<vec2<KIND>>;
 @group(0) @binding(1) var<storage, read_write> quotients: array<KIND>;
 
@@ -24,10 +24,16 @@ fn main(
 }
 "#;
 
-/// What a function of `math` says of each pair, its file being `file`.
-fn on_the_gpu<T: bytemuck::Pod>(function: &str, kind: &str, file: String, pairs: &[[T; 2]]) -> Vec<T> {
-    let kernel = KERNEL.replace("FUNCTION", function).replace("KIND", kind);
-    let sources = Sources::default().with(&format!("math/{function}"), file).with("kernel", kernel);
+/// What a function of `math/NAME.wgsl`, which reads `file`, says of each pair.
+pub(super) fn on_the_gpu<T: bytemuck::Pod>(
+    name: &str,
+    function: &str,
+    kind: &str,
+    file: String,
+    pairs: &[[T; 2]],
+) -> Vec<T> {
+    let kernel = KERNEL.replace("NAME", name).replace("FUNCTION", function).replace("KIND", kind);
+    let sources = Sources::default().with(&format!("math/{name}"), file).with("kernel", kernel);
     let gpu = gpu();
     let kernel = Kernel::new(&gpu, &sources, "kernel").unwrap_or_else(|e| panic!("{e}"));
     let quotients = gpu.zeroed::<T>("quotients", pairs.len()).expect("room");
@@ -65,7 +71,7 @@ fn wrong(estimate: &str, other: &str) -> usize {
     assert!(file.contains(first));
     let file = file.replace(first, estimate).replace("i < 4", other);
     let pairs = pairs();
-    let found = on_the_gpu("quotient", "f32", file, &pairs);
+    let found = on_the_gpu("quotient", "quotient", "f32", file, &pairs);
     let right = pairs.iter().map(|[n, d]| quotient(*n, *d).to_bits());
     found.iter().zip(right).filter(|(found, right)| found.to_bits() != *right).count()
 }
@@ -105,7 +111,7 @@ fn wrong_wholes(this: &str, that: &str) -> usize {
     let file = Sources::default().get("math/whole").expect("the file").into_owned();
     assert!(file.contains(this));
     let pairs = whole_pairs();
-    let found = on_the_gpu("whole", "u32", file.replace(this, that), &pairs);
+    let found = on_the_gpu("whole", "whole", "u32", file.replace(this, that), &pairs);
     pairs.iter().zip(&found).filter(|([n, d], found)| whole(*n, *d) != **found).count()
 }
 

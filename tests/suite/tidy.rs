@@ -202,6 +202,39 @@ fn twins_open_with_the_same_arrow() {
     }
 }
 
+/// The numbers with a point and more digits than a few in a source text, without its comments and its tests.
+fn numbers(text: &str) -> BTreeSet<u32> {
+    let code = text.split("#[cfg(test)]").next().unwrap_or_default().lines();
+    let code: Vec<_> = code.map(|line| line.split("//").next().unwrap_or_default()).collect();
+    let code = code.join("\n").replace("f32::MAX", "3.4028235e38").replace('_', "");
+    let words = code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '.'));
+    let words = words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.'));
+    // Those of a few digits are written in many ways: 1.0 in one, ONE in another.
+    words.filter_map(|word| word.parse().ok()).map(f32::to_bits).filter(|bits| bits & 0xffff != 0).collect()
+}
+
+#[test]
+fn twins_are_written_with_the_same_numbers() {
+    let mut all = 0;
+    for (wgsl, rust) in TWINS {
+        for path in files(&format!("wgsl/{wgsl}"), "wgsl") {
+            let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            // Its twin's numbers are those of `film::Transfer`.
+            if stem == "develop" {
+                continue;
+            }
+            let read = |path: &Path| fs::read_to_string(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+            let kernel = numbers(&read(&path));
+            assert_eq!(kernel, numbers(&read(&root().join(format!("src/{rust}/{stem}.rs")))), "{wgsl}/{stem}");
+            all += kernel.len();
+        }
+    }
+    assert!(all > 20, "{all} numbers");
+    let [one, other] = ["let a = 0.577_078; // 0.3", "let a = 0.5 * 0.57707802;"].map(numbers);
+    assert_eq!(one.len(), 1);
+    assert_ne!(one, other, "the next number of f32");
+}
+
 /// The floors: a file may use those below its own, never those above or beside it.
 const FLOORS: [&[&str]; 8] = [
     &["math"],

@@ -12,7 +12,7 @@ fn log2_exact(x: f32) -> f32 {
     }
     let s = (mantissa - 1.0) / (mantissa + 1.0);
     let q = s * s;
-    let series = 2.88539 + q * (0.96179669 + q * (0.57707802 + q * 0.41219858));
+    let series = 2.88539 + q * (0.9617967 + q * (0.57707804 + q * 0.41219857));
     return f32(exponent) + s * series;
 }
 

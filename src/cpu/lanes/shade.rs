@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use super::meet::{Founds, Rays};
 use super::{LANES, Vec3s};
+use crate::math::power::LOG2_SERIES;
 use crate::math::random::{pcg4d, unit_float};
 use crate::math::sphere::on_sphere;
 use crate::tables::{BLINN, DIFFUSE, GLASS, Material, Tables};
@@ -95,7 +96,8 @@ fn power<S: Simd>(simd: S, x: f32x8<S>, k: f32x8<S>) -> f32x8<S> {
     let exponent = over.select(exponent - 126.0, exponent - 127.0);
     let s = (m - 1.0) / (m + 1.0);
     let q = s * s;
-    let log2 = exponent + s * (q * (q * (q * 0.412_198_57 + 0.577_078) + 0.961_796_7) + 2.885_39);
+    let [a, b, c, d] = LOG2_SERIES;
+    let log2 = exponent + s * (q * (q * (q * d + c) + b) + a);
 
     let y = k * log2;
     let top = y.simd_lt(127.0).select(y, f32x8::splat(simd, 127.0));
