@@ -33,8 +33,9 @@ impl Good {
         }
         let start = Instant::now();
         let spent = || time.map_or(0.0, |time| start.elapsed().as_secs_f64() / time.as_secs_f64().max(1e-9));
-        let film = passes(stages, tables, wanted, watch, &Until { spent: &spent, noise })?;
-        let _ = each(Band { top: 0, film });
+        if let Some(film) = passes(stages, tables, wanted, watch, &Until { spent: &spent, noise })? {
+            let _ = each(Band { top: 0, film });
+        }
         Ok(())
     }
 }

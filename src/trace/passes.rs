@@ -20,7 +20,7 @@ const TILE: u32 = 16;
 /// Tiles are judged after each so many samples: of few, some lie close together by chance.
 const JUDGED: u32 = 16;
 
-/// A part of a frame until it is good enough, or has all samples.
+/// A part of a frame until it is good enough, or has all samples; nothing if it was stopped before.
 ///
 /// A pixel of n samples has the bits of one of which [`part`](super::part) makes the first n.
 ///
@@ -32,7 +32,7 @@ pub fn passes<T: Trace>(
     part: &Part,
     watch: &mut dyn Watch,
     until: &Until<'_>,
-) -> Result<Film, T::Error> {
+) -> Result<Option<Film>, T::Error> {
     let spent = until.spent;
     let mut film = Film::new(part.columns.len() as u32, part.rows.len() as u32);
     let first = part.samples.start;
@@ -42,11 +42,12 @@ pub fn passes<T: Trace>(
         let ended = 1.0 - f64::from(open.going()) / f64::from(film.pixels());
         let mut told = |within: f64| {
             let share = (f64::from(sample - first) + within) / part.samples.len() as f64;
-            watch.done(share.max(ended).max(spent()).min(1.0))
+            // Until the film is laid it is not done, however much time is used: a stop is one.
+            watch.done(share.max(ended).max(spent()).min(0.99))
         };
         if pass(stages, tables, part, &mut open, &mut told)?.is_break() {
             // A pass that is not whole would leave pixels with fewer samples than others.
-            return Ok(film);
+            return Ok(None);
         }
         open.samples.end = sample + 1;
         let made = open.samples.end - first;
@@ -65,7 +66,7 @@ pub fn passes<T: Trace>(
     film.put(0, &whole.sums, &whole.ids);
     film.put_squares(0, &whole.squares);
     let _ = watch.done(1.0);
-    Ok(film)
+    Ok(Some(film))
 }
 
 /// The pixels of tiles whose error is below `noise`, and of those that had ended before.

@@ -1,14 +1,18 @@
 //! Films that grow sample by sample, for as long as there is time, and how far their samples lie apart.
 
 use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::time::Duration;
 
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::compare::{Standard, compare};
-use twinlight::film::{Film, Run};
-use twinlight::gpu::GpuTrace;
+use twinlight::film::{Film, Run, Watch};
 use twinlight::gpu::wgsl::Sources;
+use twinlight::gpu::{GpuTrace, Wanted};
 use twinlight::math::Vec3;
 use twinlight::math::vector::luminance;
+use twinlight::render::{Backend, Error, Good, Renderer, Work};
+use twinlight::scene::Method;
 use twinlight::tables::{Slice, Tables};
 use twinlight::trace::{BLOCK, Part, Trace, Until, frame, passes};
 
@@ -25,7 +29,7 @@ fn tables(scene: &str, samples: u32) -> Tables {
 fn grown<T: Trace>(stages: &mut T, tables: &Tables, part: &Part, samples: u32) -> Film {
     let part = Part { samples: 0..samples, ..part.clone() };
     let film = passes(stages, tables, &part, &mut |_: f64| (), &Until { spent: &|| 0.0, noise: None });
-    film.unwrap_or_else(|_| panic!("no film"))
+    film.ok().flatten().unwrap_or_else(|| panic!("no film"))
 }
 
 #[test]
@@ -74,13 +78,15 @@ fn a_film_stops_after_the_pass_in_which_its_time_is_used() {
             clock.set(clock.get() + 1.0);
         };
         let spent = || clock.get() / f64::from(most);
-        let Ok(film) = passes(
+        let Ok(Some(film)) = passes(
             &mut CpuTrace::new(&tables),
             &tables,
             &Part::whole(&tables),
             &mut watch,
             &Until { spent: &spent, noise: None },
-        );
+        ) else {
+            panic!("no film")
+        };
         let counts: Vec<f32> = (0..film.pixels()).map(|pixel| film.samples(pixel)).collect();
         assert!(counts.iter().all(|&count| count == counts[0]), "every pixel has as many");
         assert!(counts[0] >= 1.0 && counts[0] <= most as f32, "{} of {most}", counts[0]);
@@ -88,6 +94,30 @@ fn a_film_stops_after_the_pass_in_which_its_time_is_used() {
         shorter.samples = counts[0] as u32;
         assert!(on_cpu(&shorter) == film, "the film of so many samples");
     }
+}
+
+/// Stops as soon as it is told anything.
+struct Stops(Vec<f64>);
+
+impl Watch for Stops {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        self.0.push(fraction);
+        ControlFlow::Break(())
+    }
+}
+
+#[test]
+fn a_stop_after_the_time_is_used_is_no_film() {
+    let scene = small(&root().join("scenes/room.toml"), [23, 11], 1000);
+    let mut renderer = Renderer::open(Backend::Cpu, &Wanted::Software).expect("a CPU");
+    let good = Good { time: Some(Duration::ZERO), noise: None };
+    let work = Work::new(&scene, Method::Trace).and_then(|work| work.until(good)).expect("a traced picture");
+    let mut stops = Stops(Vec::new());
+    let made = renderer.make(&work, &mut stops);
+    assert!(matches!(made, Err(Error::Stopped)), "a film of no samples: {made:?}");
+    assert!(stops.0.iter().all(|&fraction| fraction < 1.0), "{:?}", stops.0);
+    let whole = renderer.make(&work, &mut |_: f64| ()).expect("one sample of each pixel");
+    assert_eq!(whole.film.samples(0), 1.0);
 }
 
 /// Each sample of a pixel on its own.
@@ -179,12 +209,15 @@ fn tiles_end_when_their_error_is_low_enough() {
     let noise = 0.012;
     let until = Until { spent: &|| 0.0, noise: Some(noise) };
     let part = Part::whole(&tables);
-    let Ok(film) = passes(&mut CpuTrace::new(&tables), &tables, &part, &mut |_: f64| (), &until);
+    let Ok(Some(film)) = passes(&mut CpuTrace::new(&tables), &tables, &part, &mut |_: f64| (), &until) else {
+        panic!("no film")
+    };
     let gpu = gpu();
     for few in [true, false] {
         let tables = Tables { few, ..tables.clone() };
         let mut stages = GpuTrace::new(&gpu, &Sources::default(), &tables).expect("kernels");
-        let there = passes(&mut stages, &tables, &part, &mut |_: f64| (), &until).expect("a film");
+        let there =
+            passes(&mut stages, &tables, &part, &mut |_: f64| (), &until).expect("no error").expect("a film");
         assert!(film == there, "the GPU ends where the CPU does, few: {few}");
     }
     let mut exact = tables.clone();
