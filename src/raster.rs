@@ -14,10 +14,11 @@
 //! are drawn by one invocation each, and never enter a list; all others become pieces, which are sorted into tiles that
 //! a workgroup owns.
 
-use std::ops::{ControlFlow, Range};
+mod frame;
 
-use crate::film::{Band, Film, Run, Watch, split};
-use crate::tables::{Drawing, Lens, SHOW_TILES};
+pub use frame::{bands, draw, frame, look, part};
+
+use crate::tables::Lens;
 
 /// A film's sums (red, green, blue and the number of samples) and its ids, pixel by pixel.
 pub type Drawn = (Vec<[f32; 4]>, Vec<u32>);
@@ -97,8 +98,8 @@ pub trait Raster {
     /// If the stage cannot be done.
     fn lace(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<(), Self::Error>;
 
-    /// Waits for the stages; false if something found no room. There is room now, and they are to be done again: what is
-    /// drawn twice stays what it is.
+    /// Waits for the stages; false if not all faces found room. They are to be done again, with more room or with what is
+    /// left: what is drawn twice stays what it is.
     ///
     /// # Errors
     /// If the work was not done, or not to its end, or there is no room.
@@ -145,166 +146,4 @@ pub trait Raster {
     /// # Errors
     /// If they cannot be read back, or are not whole.
     fn end(&mut self, lens: &Lens, image: &Self::Image) -> Result<Drawn, Self::Error>;
-}
-
-/// What a lens sees: the stages that both passes share.
-///
-/// # Errors
-/// The backend's.
-pub fn draw<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
-    stages.project(lens)?;
-    layer(stages, lens, image, false)?;
-    if stages.laced() { layer(stages, lens, image, true) } else { Ok(()) }
-}
-
-fn layer<R: Raster>(stages: &mut R, lens: &Lens, image: &mut R::Image, lace: bool) -> Result<(), R::Error> {
-    loop {
-        stages.split(lens, image, lace)?;
-        stages.cut(lens)?;
-        stages.count(lens)?;
-        stages.scan(lens)?;
-        stages.fill(lens)?;
-        if lace {
-            stages.lace(lens, image)?;
-        } else {
-            stages.cover(lens, image)?;
-        }
-        if stages.settle(lens, image)? {
-            return Ok(());
-        }
-    }
-}
-
-/// One sample of each pixel that an eye sees, added to the sums.
-///
-/// # Errors
-/// The backend's.
-pub fn look<R: Raster>(
-    stages: &mut R,
-    drawing: &Drawing,
-    eye: &Lens,
-    image: &mut R::Image,
-    shadows: &R::Image,
-) -> Result<(), R::Error> {
-    stages.clear(image)?;
-    draw(stages, eye, image)?;
-    stages.mark(eye, image)?;
-    if drawing.canvas.show == SHOW_TILES {
-        stages.crowd(eye)?;
-        return stages.heat(eye);
-    }
-    stages.sift(eye, image)?;
-    stages.shade(eye, image, shadows)?;
-    stages.ground(eye)
-}
-
-/// One frame: every light's shadows, then every sample. `watch` is told the fraction done, and may stop it.
-///
-/// # Errors
-/// The backend's.
-pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch) -> Result<Film, R::Error> {
-    part(stages, drawing, &drawing.film().map(|side| 0..side), watch)
-}
-
-/// A rectangle of a frame, window by window. No window shows: each pixel is decided by the same numbers in all of them.
-///
-/// # Errors
-/// The backend's.
-pub fn part<R: Raster>(
-    stages: &mut R,
-    drawing: &Drawing,
-    rectangle: &[Range<u32>; 2],
-    watch: &mut dyn Watch,
-) -> Result<Film, R::Error> {
-    let mut all = None;
-    bands(stages, drawing, rectangle, u32::MAX, watch, &mut |band| {
-        all = Some(band.film);
-        ControlFlow::Continue(())
-    })?;
-    Ok(all.unwrap_or_else(|| Film::new(rectangle[0].len() as u32, rectangle[1].len() as u32)))
-}
-
-/// The same, so many rows at a time, from the top; of several bands each is kept as a run of pixels.
-///
-/// # Errors
-/// The backend's.
-pub fn bands<R: Raster>(
-    stages: &mut R,
-    drawing: &Drawing,
-    [columns, rows]: &[Range<u32>; 2],
-    height: u32,
-    watch: &mut dyn Watch,
-    each: &mut dyn FnMut(Band) -> ControlFlow<()>,
-) -> Result<(), R::Error> {
-    let bands: Vec<_> = split(rows, height).map(|rows| [columns.clone(), rows]).collect();
-    let windows: Vec<_> = bands.iter().map(|band| drawing.windows(band)).collect();
-    let all = || windows.iter().flatten().flatten();
-    let passes = (drawing.lenses.len() + all().count()) as f64;
-    let mut done = 0.0;
-    let mut step = |watch: &mut dyn Watch| {
-        done += 1.0;
-        // What is done cannot be stopped any more.
-        watch.done(done / passes).is_break() && done < passes
-    };
-    let mut shadows = stages.image(drawing.shadow_words(), false)?;
-    stages.clear(&mut shadows)?;
-    for lens in &drawing.lenses {
-        draw(stages, lens, &mut shadows)?;
-        if step(watch) {
-            return Ok(());
-        }
-    }
-    let mut image = stages.image(all().map(Lens::pixels).max().unwrap_or(0) as usize, true)?;
-    for (band, windows) in bands.iter().zip(&windows) {
-        let top = band[1].start - rows.start;
-        let kept = if bands.len() > 1 { taken_up(drawing, band, watch) } else { None };
-        if let Some(film) = kept {
-            let stopped = windows.iter().flatten().any(|_| step(watch));
-            if stopped || each(Band { top, film }).is_break() {
-                return Ok(());
-            }
-            continue;
-        }
-        let mut film = Film::new(columns.len() as u32, band[1].len() as u32);
-        for eyes in windows {
-            for eye in eyes {
-                look(stages, drawing, eye, &mut image, &shadows)?;
-                if step(watch) {
-                    return Ok(());
-                }
-            }
-            let (sums, ids) = stages.end(&eyes[0], &image)?;
-            let place = [eyes[0].left - columns.start, eyes[0].top - band[1].start];
-            film.lay(place, eyes[0].width, &sums, &ids);
-        }
-        if bands.len() > 1 {
-            let run = Run { samples: samples(drawing), ..Run::new(pixels(band), 0) };
-            watch.keep(&Run { sums: film.sums().to_vec(), ids: film.ids().to_vec(), ..run });
-        }
-        if each(Band { top, film }).is_break() {
-            return Ok(());
-        }
-    }
-    Ok(())
-}
-
-/// The pixels of a band, which are counted along its own rows, as if the picture had no others.
-fn pixels([columns, rows]: &[Range<u32>; 2]) -> Range<u32> {
-    let width = columns.len() as u32;
-    rows.start * width..rows.end * width
-}
-
-fn samples(drawing: &Drawing) -> Range<u32> {
-    0..drawing.samples() as u32
-}
-
-/// A band that an earlier try has kept.
-fn taken_up(drawing: &Drawing, band: &[Range<u32>; 2], watch: &mut dyn Watch) -> Option<Film> {
-    let run = watch.kept(pixels(band).start)?;
-    if run.pixels != pixels(band) || run.samples != samples(drawing) {
-        return None;
-    }
-    let mut film = Film::new(band[0].len() as u32, band[1].len() as u32);
-    film.put(0, &run.sums, &run.ids);
-    Some(film)
 }

@@ -27,12 +27,13 @@ pub mod split;
 pub mod weights;
 
 use std::convert::Infallible;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
 use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{BIN, Corner, Drawing, Face, GROUP, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -61,6 +62,10 @@ pub struct CpuRaster<'a> {
     pub corners: Vec<Corner>,
     /// Of [`Raster::split`], in order.
     pub late: Vec<u32>,
+    /// Those of them that are in hand: those before are drawn.
+    portion: Range<usize>,
+    /// Bytes of pieces and of their entries that faces drawn at once may have, unless it is one face.
+    pub at_once: usize,
     /// Of [`Raster::cut`], in the order of their faces.
     pub pieces: Vec<Piece>,
     /// Of [`Raster::count`].
@@ -82,6 +87,19 @@ pub struct CpuRaster<'a> {
 /// Faces or pixels that a thread takes at once.
 const CHUNK: usize = 1024;
 
+/// About as many bytes as the pieces of a face and their entries take, if they fill its bounding box.
+fn bytes(lens: &Lens, face: &Face, corners: &[Corner]) -> usize {
+    let [a, b, c] = [face.a, face.b, face.c].map(|i| corners[i as usize]);
+    let sides = if a.code | b.code | c.code == 0 {
+        let bounds = plan::on_film(lens, plan::span(a.at, b.at, c.at));
+        [bounds.z - bounds.x, bounds.w - bounds.y]
+    } else {
+        [lens.width as i32, lens.height as i32]
+    };
+    let under = |side: u32| sides.iter().map(|pixels| pixels.max(&0) / side as i32 + 2).product::<i32>() as usize;
+    under(TILE) * size_of::<u32>() + under(TILE * BIN) * size_of::<Piece>()
+}
+
 impl<'a> CpuRaster<'a> {
     /// A rasterizer of one drawing.
     #[must_use]
@@ -91,6 +109,8 @@ impl<'a> CpuRaster<'a> {
             laced: drawing.laced(),
             corners: Vec::new(),
             late: Vec::new(),
+            portion: 0..0,
+            at_once: 64 << 20,
             pieces: Vec::new(),
             counts: Vec::new(),
             starts: Vec::new(),
@@ -100,6 +120,23 @@ impl<'a> CpuRaster<'a> {
             runs: Default::default(),
             sums: Vec::new(),
         }
+    }
+}
+
+impl CpuRaster<'_> {
+    /// As many of the late faces from `first` on as are drawn at once: in a film of a few faces all, of thousands that
+    /// fill it some.
+    fn next(&self, lens: &Lens, first: usize) -> Range<usize> {
+        let mut room = self.at_once;
+        let faces = self.late[first..].iter().map(|id| &self.drawing.faces[*id as usize]);
+        let fit = faces.take_while(|face| {
+            let bytes = bytes(lens, face, &self.corners);
+            let fits = bytes <= room;
+            room = room.saturating_sub(bytes);
+            fits
+        });
+        let count = fit.count().max(1).min(self.late.len() - first);
+        first..first + count
     }
 }
 
@@ -130,10 +167,16 @@ impl Raster for CpuRaster<'_> {
 
     fn project(&mut self, lens: &Lens) -> Result<(), Infallible> {
         self.corners = self.drawing.vertices.par_iter().map(|vertex| project::project(lens, vertex)).collect();
+        (self.late, self.portion) = (Vec::new(), 0..0);
         Ok(())
     }
 
     fn split(&mut self, lens: &Lens, image: &mut Image, lace: bool) -> Result<(), Infallible> {
+        self.tally = Tally::default();
+        if self.portion.end > 0 && self.portion.end < self.late.len() {
+            self.portion = self.next(lens, self.portion.end);
+            return Ok(());
+        }
         let corners = &self.corners;
         let chunks = self.drawing.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
             let ids = (chunk * CHUNK) as u32..;
@@ -142,13 +185,13 @@ impl Raster for CpuRaster<'_> {
             late.map(|(_, id)| id).collect::<Vec<_>>()
         });
         self.late = chunks.flatten_iter().collect();
-        self.tally = Tally::default();
+        self.portion = self.next(lens, 0);
         Ok(())
     }
 
     fn cut(&mut self, lens: &Lens) -> Result<(), Infallible> {
         let Drawing { vertices, faces, .. } = self.drawing;
-        let pieces = self.late.par_iter().map(|id| cut::cut(lens, *id, &faces[*id as usize], vertices));
+        let pieces = self.late[self.portion.clone()].par_iter().map(|id| cut::cut(lens, *id, &faces[*id as usize], vertices));
         self.pieces = pieces.flatten_iter().collect();
         self.tally.pieces = self.pieces.len() as u32;
         Ok(())
@@ -192,7 +235,7 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn settle(&mut self, _lens: &Lens, _image: &mut Image) -> Result<bool, Infallible> {
-        Ok(true)
+        Ok(self.portion.end == self.late.len())
     }
 
     fn mark(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {

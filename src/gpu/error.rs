@@ -49,6 +49,14 @@ pub enum Error {
         /// Its size.
         bytes: u64,
     },
+    /// More lights than one dispatch may ask.
+    #[error("the scene has {lights} lights, and a pixel may ask {most} of them in one go; trace it, or draw on the CPU")]
+    Lights {
+        /// Those of the scene.
+        lights: u32,
+        /// How many there may be.
+        most: u32,
+    },
     /// wgpu refused a call.
     #[error("the GPU refused its work: {0}")]
     Validation(String),

@@ -74,8 +74,11 @@ pub(super) fn random_drawing(number: u32) -> Drawing {
 }
 
 pub(super) fn on_cpu(drawing: &Drawing) -> (CpuRaster<'_>, [Vec<u32>; 2]) {
+    drawn_by(CpuRaster::new(drawing), drawing)
+}
+
+pub(super) fn drawn_by<'a>(mut cpu: CpuRaster<'a>, drawing: &Drawing) -> (CpuRaster<'a>, [Vec<u32>; 2]) {
     let lens = &drawing.eyes[0];
-    let mut cpu = CpuRaster::new(drawing);
     let Ok(mut image) = cpu.image(lens.pixels() as usize, true);
     let Ok(()) = draw(&mut cpu, lens, &mut image);
     let Ok(()) = cpu.mark(lens, &mut image);

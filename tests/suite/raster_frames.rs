@@ -2,8 +2,8 @@
 
 use twinlight::cpu::shade::scale::HEATS;
 use twinlight::film::compare::{Standard, compare};
-use twinlight::gpu::Wanted;
 use twinlight::gpu::wgsl::Sources;
+use twinlight::gpu::{self, Wanted};
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::render::{Backend, Renderer};
@@ -237,4 +237,15 @@ fn tiles_are_colored_by_how_many_faces_they_have() {
         let wanted = HEATS[32 - faces.leading_zeros() as usize];
         assert_eq!(film.color(pixel).to_array(), wanted, "{tile:?}");
     }
+}
+
+#[test]
+fn more_lights_than_a_dispatch_asks_are_an_error() {
+    let mut scene = painted(1);
+    scene.lights = vec![Light::Directional { toward: Vec3::Y, power: Vec3::splat(1e-4), camera: None }; 16_384];
+    let gpu = scene_on_gpu(&Sources::default(), &scene).expect("as many as there may be");
+    assert!(compare(&scene_on_cpu(&scene), &gpu, Standard::Exact).expect("one size").passes());
+    scene.lights.push(scene.lights[0].clone());
+    let error = scene_on_gpu(&Sources::default(), &scene).expect_err("one too many");
+    assert!(matches!(error, gpu::Error::Lights { lights: 16_385, most: 16_384 }), "{error}");
 }

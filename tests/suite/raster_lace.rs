@@ -15,7 +15,7 @@ use super::{Dice, gpu, scene_on_cpu, scene_on_gpu};
 const SIZE: [u32; 2] = [7, 5];
 
 /// A random drawing whose faces are cut out, all but each third, by a picture of noise.
-fn laced(number: u32) -> Drawing {
+pub(super) fn laced(number: u32) -> Drawing {
     let mut dice = Dice(number, 17);
     let mut drawing = random_drawing(number);
     for vertex in &mut drawing.vertices {

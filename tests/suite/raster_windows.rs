@@ -1,18 +1,20 @@
 //! A film is drawn in windows, of regions if it is large; neither can be seen in it.
 
-use std::ops::Range;
+use std::ops::{ControlFlow, Range};
 
 use twinlight::cpu::raster::CpuRaster;
-use twinlight::film::Film;
+use twinlight::film::{Film, Watch};
 use twinlight::gpu::GpuRaster;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
-use twinlight::raster::{frame, part};
+use twinlight::raster::{bands, frame, part};
 use twinlight::scene::Method;
 use twinlight::tables::{Drawing, NONE, REGION};
 
+use super::raster_exact::{drawn_by, on_cpu as drawn, random_drawing};
 use super::raster_frames::painted;
+use super::raster_lace::laced;
 use super::{Dice, gpu, on_cpu, random_scene, tables_of};
 
 fn whole(drawing: &Drawing) -> Film {
@@ -123,4 +125,55 @@ fn shifted_windows_are_seen() {
         });
         assert!(seen, "nobody sees {wrong} in {file}");
     }
+}
+
+#[test]
+fn portions_of_faces_do_not_show() {
+    let mut several = 0;
+    for number in 0..400 {
+        let drawing = if number % 2 == 0 { random_drawing(number) } else { laced(number) };
+        let (cpu, wanted) = drawn(&drawing);
+        several += usize::from(cpu.late.len() > 1);
+        for at_once in [1, 9000] {
+            let mut stages = CpuRaster::new(&drawing);
+            stages.at_once = at_once;
+            let (_, found) = drawn_by(stages, &drawing);
+            assert!(found == wanted, "drawing {number}, {at_once} bytes of faces at once");
+        }
+    }
+    assert!(several > 200, "{several} have faces for several portions");
+}
+
+/// Stops when it is asked for the second time.
+struct Second(u32);
+
+impl Watch for Second {
+    fn done(&mut self, fraction: f64) -> ControlFlow<()> {
+        assert!(fraction < 1.0, "it is done");
+        self.0 += 1;
+        if self.0 == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+#[test]
+fn a_lens_is_stopped_between_portions() {
+    let drawings = (0..40).map(|number| {
+        let mut drawing = draw(&painted(number));
+        drawing.take_one_sample();
+        drawing
+    });
+    let many = |drawing: &Drawing| drawn(drawing).0.late.len() > 3;
+    let mut drawing = drawings.into_iter().find(many).expect("a drawing of some large faces");
+    drawing.lenses.clear();
+    drawing.lamps.iter_mut().for_each(|lamp| lamp.lens = NONE);
+    let mut stages = CpuRaster::new(&drawing);
+    stages.at_once = 1;
+    let mut second = Second(0);
+    let rectangle = drawing.film().map(|side| 0..side);
+    let Ok(()) = bands(&mut stages, &drawing, &rectangle, u32::MAX, &mut second, &mut |_| panic!("a film"));
+    assert_eq!(second.0, 2, "asked within the only lens");
+    // Nothing is left over for the next frame.
+    stages.at_once = usize::MAX;
+    let Ok(film) = frame(&mut stages, &drawing, &mut |_| ());
+    assert!(film == whole(&drawing));
 }

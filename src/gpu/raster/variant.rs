@@ -18,6 +18,10 @@ pub struct Variant {
     pub rows: u32,
 }
 
+/// Lights that `shade` asks of a pixel: lavapipe ends loops after 65,535 turns without a word, and watchdogs end long
+/// dispatches.
+const MOST_LIGHTS: u32 = 1 << 14;
+
 /// Lanes of a subgroup, at least, that are worth handing plans around in.
 const LEAST_SEATS: u32 = 4;
 
@@ -58,6 +62,9 @@ impl Variant {
     /// `shade` for a drawing: what it has none of is left out, since lavapipe runs both sides of every `if`.
     pub(super) fn shader(self, gpu: &Gpu, sources: &Sources, drawing: &Drawing) -> Result<Kernel, Error> {
         let canvas = &drawing.canvas;
+        if canvas.lamps > MOST_LIGHTS {
+            return Err(Error::Lights { lights: canvas.lamps, most: MOST_LIGHTS });
+        }
         let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
         let sources = sources.with_count("show", canvas.show).with_count("blur", canvas.blur);
         let sources = sources.with_count("lamps", canvas.lamps);
