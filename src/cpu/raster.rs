@@ -191,7 +191,9 @@ impl Raster for CpuRaster<'_> {
 
     fn cut(&mut self, lens: &Lens) -> Result<(), Infallible> {
         let Drawing { vertices, faces, .. } = self.drawing;
-        let pieces = self.late[self.portion.clone()].par_iter().map(|id| cut::cut(lens, *id, &faces[*id as usize], vertices));
+        let pieces = self.late[self.portion.clone()]
+            .par_iter()
+            .map(|id| cut::cut(lens, *id, &faces[*id as usize], vertices));
         self.pieces = pieces.flatten_iter().collect();
         self.tally.pieces = self.pieces.len() as u32;
         Ok(())

@@ -34,6 +34,14 @@ use crate::film::Run;
 use crate::tables::{GROUP, IDLE, Slice, Status, Tables};
 use crate::trace::{Paths, Trace};
 
+/// Loop turns of a tree in a slice of which nobody counts them: it takes seconds at most, however many rays a tree has.
+const TURNS: u32 = 1 << 12;
+
+/// Whether a slice's trees may be followed side by side, which does not count turns as the kernels do; and the slice.
+fn in_lanes(slice: &Slice) -> (bool, Slice) {
+    (slice.budget == u32::MAX, Slice { budget: slice.budget.min(TURNS), ..*slice })
+}
+
 /// The ray tracer on the CPU.
 #[derive(Debug)]
 pub struct CpuTrace<'a> {
@@ -110,6 +118,7 @@ impl Trace for CpuTrace<'_> {
 
     fn follow(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
         let group = GROUP as usize;
+        let (in_lanes, slice) = in_lanes(slice);
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let deep = tables.deep as usize;
@@ -119,16 +128,16 @@ impl Trace for CpuTrace<'_> {
             paths.paths.par_chunks_mut(group).zip(stacks).enumerate().map(|(g, (paths, (waiting, walks)))| {
                 let mut status = ONE_GROUP;
                 let first = g as u32 * GROUP;
-                if slice.budget == u32::MAX {
+                if in_lanes {
                     let mut walker = Walker::new(tables, wides);
-                    lanes::follow::follow_all(tables, slice, first, paths, waiting, &mut walker, &mut status);
+                    lanes::follow::follow_all(tables, &slice, first, paths, waiting, &mut walker, &mut status);
                     return status;
                 }
                 let stacks = waiting.chunks_mut(depth).zip(walks.chunks_mut(deep));
                 for ((path, (waiting, walk)), i) in paths.iter_mut().zip(stacks).zip(first..) {
                     let walk = |ray, start, any| walk::walk(tables, walk, ray, start, slice.budget, any);
                     let known = &mut follow::Known::default();
-                    follow::follow(tables, slice, i, path, waiting, known, walk, &mut status, &mut ());
+                    follow::follow(tables, &slice, i, path, waiting, known, walk, &mut status, &mut ());
                 }
                 status
             });
@@ -168,6 +177,7 @@ impl Trace for CpuTrace<'_> {
     }
 
     fn few(&mut self, paths: &mut Paths, slice: &Slice) -> Result<(), Infallible> {
+        let (in_lanes, slice) = in_lanes(slice);
         let depth = self.tables.settings.max_depth as usize;
         let tables = self.tables;
         let group = GROUP as usize;
@@ -184,21 +194,25 @@ impl Trace for CpuTrace<'_> {
                 let first = first + i * LANES as u32;
                 let from = paths[0].sample;
                 let together = paths.iter().all(|path| path.sample == from && path.state == IDLE);
-                if together && slice.budget == u32::MAX {
-                    let (first, samples) = (slice.first + first, from..slice.samples.max(from));
-                    let film = Strip { sums, squares, ids };
-                    if !samples.is_empty() {
-                        status = both(status, lanes::few::few(tables, samples, first, stacks, film));
+                if together && in_lanes {
+                    let film = Strip {
+                        first: slice.first + first,
+                        sums: &mut *sums,
+                        squares: &mut *squares,
+                        ids: &mut *ids,
+                    };
+                    let mut end = from;
+                    lanes::few::few(tables, &mut end, &slice, stacks, film, &mut status);
+                    paths.iter_mut().for_each(|path| path.sample = end);
+                    // A sample of more turns than a slice has is put down and gone on with, pixel by pixel.
+                    if end > from || from >= slice.samples {
+                        continue;
                     }
-                    for path in paths {
-                        path.sample = slice.samples;
-                    }
-                    continue;
                 }
                 let film = sums.iter_mut().zip(squares).zip(ids).map(|((sum, square), id)| (sum, square, id));
                 let stacks = stacks.chunks_mut(depth);
                 for (((path, stack), film), i) in paths.iter_mut().zip(stacks).zip(film).zip(first..) {
-                    few::few(tables, slice, i, path, stack, film, &mut status, &mut ());
+                    few::few(tables, &slice, i, path, stack, film, &mut status, &mut ());
                 }
             }
             status

@@ -50,7 +50,9 @@ pub enum Error {
         bytes: u64,
     },
     /// More lights than one dispatch may ask.
-    #[error("the scene has {lights} lights, and a pixel may ask {most} of them in one go; trace it, or draw on the CPU")]
+    #[error(
+        "the scene has {lights} lights, and a pixel may ask {most} of them in one go; trace it, or draw on the CPU"
+    )]
     Lights {
         /// Those of the scene.
         lights: u32,

@@ -3,9 +3,9 @@
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::gpu::GpuTrace;
 use twinlight::gpu::wgsl::Sources;
-use twinlight::scene::Scene;
+use twinlight::scene::{Behavior, Material, Plane, Scene};
 use twinlight::tables::{FEW, Slice, Tables};
-use twinlight::trace::{Paths, Trace as _};
+use twinlight::trace::{Paths, Trace as _, frame};
 
 use super::{gpu, on_cpu, on_gpu, random_scene, root, small, tables_of};
 
@@ -97,4 +97,44 @@ fn bytes(paths: &Paths) -> [&[u8]; 4] {
         bytemuck::cast_slice(&paths.sums),
         bytemuck::cast_slice(&paths.ids),
     ]
+}
+
+/// Between two panes of glass each ray becomes two, down to the last of so many.
+fn panes(depth: u32) -> Tables {
+    let mut scene = random_scene(1);
+    scene.resize([9, 7]).expect("a small film");
+    (scene.trace.samples, scene.trace.depth, scene.trace.cutoff) = (2, depth, 0.0);
+    let glass = Material { behavior: Behavior::Glass, reflect: 0.9, refract: 0.9, ..scene.materials[0].clone() };
+    scene.materials = vec![glass];
+    scene.triangles.clear();
+    scene.spheres.clear();
+    let forward = scene.camera.look_at - scene.camera.position;
+    scene.planes = [-1.0, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0]
+        .map(|far| Plane {
+            point: scene.camera.position + forward * far,
+            normal: (-forward).normalize(),
+            material: 0,
+            tile: 1.0,
+        })
+        .to_vec();
+    tables_of(&scene)
+}
+
+#[test]
+fn trees_of_more_rays_than_a_slice_takes_are_put_down() {
+    let tables = panes(16);
+    assert!(tables.few);
+    let mut asked = 0;
+    let mut count = |_: f64| asked += 1;
+    let Ok(film) = frame(&mut CpuTrace::new(&tables), &tables, &mut count);
+    assert!(asked > 4, "a tree of thousands of rays was not to be stopped: asked {asked} times");
+    assert!(film == on_gpu(&Sources::default(), &tables).expect("a film"));
+    let three = by_three_stages(&tables);
+    let mut asked = 0;
+    let mut count = |_: f64| asked += 1;
+    let Ok(other) = frame(&mut CpuTrace::new(&three), &three, &mut count);
+    assert!(asked > 8, "asked {asked} times");
+    assert!(film == other);
+    let lit = (0..film.pixels()).filter(|&p| film.color(p).max_element() > 0.0).count();
+    assert!(lit > 30, "{lit} pixels have light");
 }

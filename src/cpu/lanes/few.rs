@@ -1,6 +1,4 @@
-//! eight pixels of a scene of few primitives -> sums on the film: eight times `cpu/trace/few.rs`, to the end
-
-use std::ops::Range;
+//! eight pixels of a scene of few primitives -> sums on the film: eight times `cpu/trace/few.rs`, sample by sample
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, dispatch, f32x8, mask32x8, u32x8};
@@ -11,7 +9,7 @@ use super::shade::{Ways, phong, scatter, surfaces_at};
 use super::{LANES, Vec3s};
 use crate::cpu::trace::primary::place;
 use crate::math::vector::luminance;
-use crate::tables::{FAR, NONE, POINT, STACK_FULL, Status, Tables, View, Waiting};
+use crate::tables::{FAR, NONE, POINT, STACK_FULL, Slice, Status, Tables, View, Waiting};
 
 /// Eight ray trees in progress: [`Path`](crate::tables::Path), lane by lane.
 struct Trees<'a, S: Simd> {
@@ -28,40 +26,46 @@ struct Trees<'a, S: Simd> {
 
 /// At most eight pixels of the film.
 pub(in crate::cpu) struct Strip<'a> {
+    /// The first of them.
+    pub(in crate::cpu) first: u32,
     pub(in crate::cpu) sums: &'a mut [[f32; 4]],
     pub(in crate::cpu) squares: &'a mut [f32],
     pub(in crate::cpu) ids: &'a mut [u32],
 }
 
-/// Renders at most eight pixels from `first`, all of the samples; `stacks` has `max_depth` places for each.
+/// Renders at most eight pixels from sample `next` on, and says which is the next then: as many samples as the slice
+/// has, or as its budget allows. `stacks` has `max_depth` places for each pixel.
 pub(in crate::cpu) fn few(
     tables: &Tables,
-    samples: Range<u32>,
-    first: u32,
+    next: &mut u32,
+    slice: &Slice,
     stacks: &mut [Waiting],
     film: Strip<'_>,
-) -> Status {
-    dispatch!(Level::new(), simd => pixels(simd, tables, samples, first, stacks, film))
+    status: &mut Status,
+) {
+    dispatch!(Level::new(), simd => pixels(simd, tables, next, slice, stacks, film, status));
 }
 
 #[inline(always)]
 fn pixels<S: Simd>(
     simd: S,
     tables: &Tables,
-    samples: Range<u32>,
-    first: u32,
+    next: &mut u32,
+    slice: &Slice,
     stacks: &mut [Waiting],
     film: Strip<'_>,
-) -> Status {
-    let Strip { sums, squares, ids } = film;
+    status: &mut Status,
+) {
+    let Strip { first, sums, squares, ids } = film;
     let view = &tables.view;
     let count = sums.len();
-    let mut status = Status { groups: 0, pixels: count as u32, flags: 0, turns: 0 };
+    let mut turns = 0;
     let pixel = |i: usize| first + i.min(count - 1) as u32;
     let column = f32x8::from_fn(simd, |i| (pixel(i) % view.width) as f32);
     let row = f32x8::from_fn(simd, |i| (view.height - 1 - pixel(i) / view.width) as f32);
     let zero = Vec3s::splat(simd, Vec3::ZERO);
-    for sample in samples {
+    while *next < slice.samples {
+        let sample = *next;
         let direction = primary(simd, view, column, row, sample);
         let none = u32x8::splat(simd, NONE);
         let mut trees = Trees {
@@ -74,15 +78,19 @@ fn pixels<S: Simd>(
             waiting: [0; LANES],
             stacks: &mut *stacks,
         };
-        let mut turns = 1;
-        while trees.active.any_true() {
-            let seen = trees.step(simd, tables, &mut status, pixel, sample);
-            if sample == 0 && turns == 1 {
+        turns += 1;
+        let begin = turns;
+        while trees.active.any_true() && turns < slice.budget {
+            let seen = trees.step(simd, tables, status, pixel, sample);
+            if sample == 0 && turns == begin {
                 ids.copy_from_slice(&seen.to_array()[..count]);
             }
             turns += 1;
         }
-        status.turns += turns;
+        if trees.active.any_true() {
+            break;
+        }
+        *next += 1;
         for (i, (sum, square)) in sums.iter_mut().zip(&mut *squares).enumerate() {
             let light = trees.radiance.lane(i);
             let luminance = luminance(light);
@@ -92,7 +100,10 @@ fn pixels<S: Simd>(
             }
         }
     }
-    status
+    status.turns = status.turns.max(turns);
+    if *next == slice.samples {
+        status.pixels += count as u32;
+    }
 }
 
 /// Twin of [`primary`](crate::cpu::trace::primary::primary).

@@ -1,4 +1,5 @@
-//! rays -> ray trees followed to their end: each until it asks for a walk, and then all these walks side by side
+//! rays -> ray trees followed to their end, or for as long as the budget lasts: each until it asks for a walk, and then
+//! all these walks side by side
 
 use super::Walker;
 use crate::cpu::trace::aim::Ray;
@@ -13,6 +14,9 @@ struct Asked {
     ray: Ray,
     start: Walk,
 }
+
+/// Turns that a ray counts for, whatever its walk takes.
+const RAY: u32 = 16;
 
 /// Follows the trees of pixels from `first` on; `waiting` has `max_depth` places for each.
 pub(in crate::cpu) fn follow_all(
@@ -31,7 +35,10 @@ pub(in crate::cpu) fn follow_all(
     // Those for the nearest hit, and those for any.
     let mut asked: [Vec<Asked>; 2] = Default::default();
     let (mut rays, mut walks) = (Vec::new(), Vec::new());
-    while !open.is_empty() {
+    // A walk that nobody goes on with is as good as put down.
+    let mut turns = 0;
+    while !open.is_empty() && turns < slice.budget {
+        turns += RAY;
         for tree in open.drain(..) {
             let waiting = &mut waiting[tree * depth..][..depth];
             let mut found = found[tree].take();
