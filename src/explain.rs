@@ -28,8 +28,8 @@ pub use place::{DRAWN, Places, TRACED};
 pub use things::Thing;
 pub use traced::{Kind, Meeting, Onward, ShadowRay, Traced, TracedSample, Way};
 
-use crate::prepare;
-use crate::scene::{Method, Scene, Show};
+use crate::prepare::{self, room};
+use crate::scene::{Method, Reach, Scene, Show};
 use crate::tables::{Drawing, Tables};
 
 /// Why a pixel cannot be explained.
@@ -44,6 +44,9 @@ pub enum Error {
     /// The picture shows how long rays walk.
     #[error("the view of the steps counts boxes and primitives, and no light makes a pixel of it")]
     Steps,
+    /// The scene is too large to be made ready.
+    #[error(transparent)]
+    Room(#[from] room::Error),
 }
 
 /// A scene made ready for questions about its pixels: a light's shadows are drawn once.
@@ -89,11 +92,12 @@ pub enum Samples {
 }
 
 impl Explainer {
-    /// Makes a scene ready.
+    /// Makes a scene ready, with no more memory than may be taken.
     ///
     /// # Errors
-    /// [`Error::Tiles`] and [`Error::Steps`] if the scene shows those.
-    pub fn new(scene: &Scene, method: Method) -> Result<Self, Error> {
+    /// [`Error::Tiles`] and [`Error::Steps`] if the scene shows those, [`Error::Room`] if it is too large.
+    pub fn new(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
+        room::within(scene, method, reach)?;
         match method {
             Method::Raster => Self::drawn(scene, Arc::new(prepare::draw(scene))),
             Method::Trace if scene.raster.show == Show::Steps => Err(Error::Steps),

@@ -7,6 +7,7 @@ mod leaves;
 pub mod lens;
 mod levels;
 mod mesh;
+pub mod room;
 mod window;
 
 pub use draw::{Scenery, draw};

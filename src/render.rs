@@ -2,7 +2,6 @@
 
 mod good;
 pub mod live;
-mod room;
 mod tables;
 mod work;
 
@@ -16,6 +15,7 @@ use crate::film::pass::{Layer, Pass};
 use crate::film::{Band, Film, Run, Watch};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, Wanted};
+use crate::prepare::room;
 use crate::scene::{Method, Scene};
 use crate::trace::BLOCK;
 
@@ -40,14 +40,9 @@ pub enum Error {
     /// A rectangle that is not within the picture.
     #[error("the part lies outside the picture, which has {}x{} pixels", .0[0], .0[1])]
     Outside([u32; 2]),
-    /// More faces than there is memory for.
-    #[error("the scene's faces and pictures need about {needed} MiB, and {most} MiB of memory may be taken")]
-    Memory {
-        /// MiB.
-        needed: u64,
-        /// MiB.
-        most: u64,
-    },
+    /// More than there is room for.
+    #[error(transparent)]
+    Room(#[from] room::Error),
     /// A film that there is no memory for.
     #[error(
         "a picture of {}x{} takes {needed} MiB when it is made at once, and {most} MiB of memory may be taken; .png, \
@@ -62,9 +57,6 @@ pub enum Error {
         /// MiB.
         most: u64,
     },
-    /// More triangles than 32 bits can number, every instance's counted.
-    #[error("the scene has {0} triangles with all of its instances, and 4294967294 can be told apart")]
-    Numbers(u64),
     /// Samples that cannot be made alone; how many there are.
     #[error("{}", no_samples(*.0))]
     Samples(u32),

@@ -12,11 +12,11 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use super::Error;
-use super::room::within;
 use super::tables::tables;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, Screen};
 use crate::prepare::bvh::Told;
+use crate::prepare::room::within;
 use crate::scene::{Method, Reach, Scene};
 use drawn::Drawn;
 pub use lights::LightMap;

@@ -4,7 +4,6 @@ mod layers;
 
 use std::ops::{ControlFlow, Range};
 
-use super::room::{models, within};
 use super::tables::tables;
 use super::{Error, Good};
 use crate::cpu::raster::CpuRaster;
@@ -15,6 +14,7 @@ use crate::gpu::wgsl::{FILES, Sources};
 use crate::gpu::{self, Gpu, GpuRaster, GpuTrace};
 use crate::prepare::bvh::Told;
 use crate::prepare::draw;
+use crate::prepare::room::{models, within};
 use crate::raster;
 use crate::scene::{Method, Reach, Scene};
 use crate::tables::{Drawing, MOST_LENSES, NONE, Tables};
@@ -55,7 +55,7 @@ impl Work {
     /// Makes a scene ready.
     ///
     /// # Errors
-    /// [`Error::Memory`] if there are more faces than this machine's memory holds.
+    /// [`Error::Room`] if there are more faces than this machine's memory holds, or than can be told apart.
     pub fn new(scene: &Scene, method: Method) -> Result<Self, Error> {
         Self::within(scene, method, &Reach::default())
     }

@@ -7,8 +7,8 @@ use glam::Vec3;
 use super::overlay::{Line, lines};
 use crate::cpu::first::first;
 use crate::explain::Explainer;
-use crate::prepare::{pose, prepare};
-use crate::scene::{Method, Scene};
+use crate::prepare::{pose, prepare, room};
+use crate::scene::{Method, Reach, Scene};
 
 /// A question about a pixel of what is seen.
 #[derive(Debug, Clone)]
@@ -19,6 +19,8 @@ pub struct Question {
     pub method: Method,
     /// Column and row, from the upper left.
     pub pixel: [u32; 2],
+    /// What an answer may take.
+    pub reach: Reach,
     /// Whether the point that is seen is wanted, or all that made the pixel.
     pub point: bool,
 }
@@ -28,8 +30,8 @@ pub struct Question {
 pub enum Answer {
     /// All that made the pixel, or why that cannot be told; and what of it is drawn over the picture.
     Text([u32; 2], String, Vec<Line>),
-    /// What is seen there; nothing if it is the background.
-    Point(Option<Vec3>),
+    /// What is seen there; nothing if it is the background; or why that cannot be told.
+    Point(Result<Option<Vec3>, String>),
 }
 
 /// One who answers beside the window: the last question of those that wait.
@@ -52,7 +54,8 @@ impl Inspector {
                     // A wish for a point is a click, and no hover drops it.
                     question = if question.point && !newer.point { question } else { newer };
                 }
-                let answer = if question.point { pick(&question) } else { explain(&question, &mut kept) };
+                let answer =
+                    if question.point { Answer::Point(pick(&question)) } else { explain(&question, &mut kept) };
                 if tell.send(answer).is_err() {
                     return;
                 }
@@ -76,9 +79,9 @@ impl Inspector {
 }
 
 fn explain(question: &Question, kept: &mut Option<(Scene, Method, Explainer)>) -> Answer {
-    let Question { scene, method, pixel, .. } = question;
+    let Question { scene, method, pixel, reach, .. } = question;
     if !kept.as_ref().is_some_and(|(known, how, _)| known.is(scene) && how == method) {
-        match Explainer::new(scene, *method) {
+        match Explainer::new(scene, *method, reach) {
             Ok(explainer) => *kept = Some((scene.clone(), *method, explainer)),
             Err(why) => return Answer::Text(*pixel, why.to_string(), Vec::new()),
         }
@@ -91,7 +94,9 @@ fn explain(question: &Question, kept: &mut Option<(Scene, Method, Explainer)>) -
     }
 }
 
-fn pick(Question { scene, pixel: [x, y], .. }: &Question) -> Answer {
+fn pick(Question { scene, pixel: [x, y], reach, .. }: &Question) -> Result<Option<Vec3>, String> {
+    // Whatever is shown, it is a ray that asks.
+    room::within(scene, Method::Trace, reach).map_err(|why| why.to_string())?;
     let tables = prepare(scene);
     let [x, y] = [*x.min(&(tables.view.width - 1)), *y.min(&(tables.view.height - 1))];
     let depth = first(&tables, x..x + 1, y..y + 1)[0].depth;
@@ -102,5 +107,5 @@ fn pick(Question { scene, pixel: [x, y], .. }: &Question) -> Answer {
     let across = (x as f32 + 0.5) / width - 0.5;
     let down = (y as f32 + 0.5) / height - 0.5;
     let way = right * (across * wide) - up * (down * high) - back;
-    Answer::Point(depth.is_finite().then(|| scene.camera.position + way * depth))
+    Ok(depth.is_finite().then(|| scene.camera.position + way * depth))
 }

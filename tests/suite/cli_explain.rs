@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::process::Command;
 
 use twinlight::explain::{DRAWN, Explainer, TRACED};
-use twinlight::scene::Method;
+use twinlight::scene::{Method, Reach};
 
 use super::explain::pixels;
 use super::{root, small};
@@ -51,6 +51,38 @@ fn the_command_tells_the_rendered_pixel() {
     }
 }
 
+const HEAD: &str = "[camera]\nposition = [0, 0, 9]\nlook_at = [0, 0, 0]\n[film]\nsize = [8, 6]\n\
+                    [[material]]\nname = \"white\"\n";
+
+#[test]
+fn what_is_too_large_is_a_sentence_for_every_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = |name: &str, text: String| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).expect("written");
+        path.display().to_string()
+    };
+    let spheres = "[[object.sphere]]\ncenter = [0, 0, 0]\nradius = 1\nmaterial = \"white\"\n".repeat(40);
+    let spheres = write("spheres.toml", format!("{HEAD}{spheres}"));
+    write("many.obj", format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(72_000)));
+    // More triangles than 32 bits can number, in the memory of a few.
+    let places = "[[object.mesh.instance]]\n".repeat(60_000);
+    let places = write("places.toml", format!("{HEAD}[[object.mesh]]\npath = \"many.obj\"\n{places}"));
+    let picture = folder.path().join("a.png").display().to_string();
+    let cases: [(&[&str], i32, &str); 2] = [
+        (&[&spheres, "--method", "raster", "--max-memory", "64M"], 6, "64 MiB of memory may be taken"),
+        (&[&places, "--method", "trace"], 3, "can be told apart"),
+    ];
+    let commands: [(&str, &[&str]); 3] =
+        [("render", &["--backend", "cpu", "-o", &picture]), ("explain", &["--pixel", "4,3"]), ("times", &[])];
+    for (job, code, word) in cases {
+        for (command, more) in commands {
+            let (found, _, words) = twinlight(&[&[command], job, more].concat());
+            assert!(found == Some(code) && words.contains(word), "{command} {job:?}: exit {found:?}, {words}");
+        }
+    }
+}
+
 /// The names of all fields in a value, and the words that stand as values.
 fn fields(value: &serde_json::Value, names: &mut BTreeSet<String>, words: &mut BTreeSet<String>) {
     match value {
@@ -84,7 +116,7 @@ fn the_json_is_what_the_help_says() {
     let mut found = BTreeSet::from(["raster", "trace"].map(str::to_owned));
     for (scene, method, places) in [("bust", Method::Raster, DRAWN), ("pyramid", Method::Trace, TRACED)] {
         let scene = small(&root().join(format!("scenes/{scene}.toml")), [97, 61], 1);
-        let explainer = Explainer::new(&scene, method).expect("an explainer");
+        let explainer = Explainer::new(&scene, method, &Reach::default()).expect("an explainer");
         let (mut names, mut words) = (BTreeSet::new(), BTreeSet::new());
         for at in pixels(1, [97, 61], 40) {
             let json = serde_json::to_value(explainer.pixel(at).expect("a pixel")).expect("JSON");

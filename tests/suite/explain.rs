@@ -6,7 +6,7 @@ use twinlight::film::Film;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::raster;
-use twinlight::scene::{Method, Scene, Show};
+use twinlight::scene::{Method, Reach, Scene, Show};
 use twinlight::trace::BLOCK;
 
 use super::{Dice, on_cpu, random_scene, root, scenes, small, tables_of};
@@ -151,7 +151,7 @@ fn random_pixels_of_every_scene_end_as_they_are_rendered() {
         for (method, blur) in [(Method::Raster, 0), (Method::Raster, 1), (Method::Trace, 0)] {
             scene.raster.blur = blur;
             let film = film_of(&scene, method);
-            let explainer = Explainer::new(&scene, method).expect("an explainer");
+            let explainer = Explainer::new(&scene, method, &Reach::default()).expect("an explainer");
             for pixel in pixels(seed, size, 12) {
                 let told = explainer.pixel(pixel).expect("a pixel");
                 right(&told, &film, &scene).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
@@ -167,7 +167,7 @@ fn random_scenes_are_told_as_they_are_traced() {
         // More samples than are summed in one block.
         scene.trace.samples = if number % 8 == 0 { 70 } else { 3 };
         let film = film_of(&scene, Method::Trace);
-        let explainer = Explainer::new(&scene, Method::Trace).expect("an explainer");
+        let explainer = Explainer::new(&scene, Method::Trace, &Reach::default()).expect("an explainer");
         for pixel in pixels(number, scene.film.size, 6) {
             let told = explainer.pixel(pixel).expect("a pixel");
             right(&told, &film, &scene).unwrap_or_else(|e| panic!("random scene {number}: {e}"));
@@ -183,7 +183,7 @@ fn what_is_not_right_is_seen() {
     let wrong = |change: &dyn Fn(&mut Scene)| {
         let mut other = scene.clone();
         change(&mut other);
-        let explainer = Explainer::new(&other, Method::Raster).expect("an explainer");
+        let explainer = Explainer::new(&other, Method::Raster, &Reach::default()).expect("an explainer");
         pixels(7, [97, 61], 40).any(|at| right(&explainer.pixel(at).expect("a pixel"), &film, &scene).is_err())
     };
     assert!(!wrong(&|_| ()));
@@ -191,7 +191,7 @@ fn what_is_not_right_is_seen() {
     assert!(wrong(&|scene| scene.raster.shadow += 0.01));
     assert!(wrong(&|scene| scene.raster.samples = 1));
     // One term of one light left out, one weight moved, one verdict turned.
-    let explainer = Explainer::new(&scene, Method::Raster).expect("an explainer");
+    let explainer = Explainer::new(&scene, Method::Raster, &Reach::default()).expect("an explainer");
     let faults: [&dyn Fn(&mut Seen); 3] = [
         &|seen| seen.lights[0].term.diffuse.y *= 0.5,
         &|seen| seen.fragment.weights = Vec3::new(1.5, -0.5, 0.0),
@@ -209,7 +209,7 @@ fn what_is_not_right_is_seen() {
     // The same of the ray tracer.
     let scene = small(&root().join("scenes/room.toml"), [97, 61], 4);
     let film = film_of(&scene, Method::Trace);
-    let explainer = Explainer::new(&scene, Method::Trace).expect("an explainer");
+    let explainer = Explainer::new(&scene, Method::Trace, &Reach::default()).expect("an explainer");
     let faults: [&dyn Fn(&mut TracedSample); 5] = [
         &|_| (),
         &|sample| drop(sample.rays.pop()),
@@ -237,14 +237,14 @@ fn what_is_shown_instead_of_colors_is_explained_too() {
     for show in [Show::Depth, Show::Normal, Show::Id, Show::Shadow, Show::Uv, Show::Wire] {
         scene.raster.show = show;
         let film = film_of(&scene, Method::Raster);
-        let explainer = Explainer::new(&scene, Method::Raster).expect("an explainer");
+        let explainer = Explainer::new(&scene, Method::Raster, &Reach::default()).expect("an explainer");
         for [x, y] in pixels(3, [61, 43], 8) {
             let told = explainer.pixel([x, y]).expect("a pixel");
             assert_eq!(told.linear, film.color(y * 61 + x), "{show:?}");
         }
     }
     scene.raster.show = Show::Tiles;
-    assert_eq!(Explainer::new(&scene, Method::Raster).err(), Some(Error::Tiles));
+    assert_eq!(Explainer::new(&scene, Method::Raster, &Reach::default()).err(), Some(Error::Tiles));
     scene.raster.show = Show::Steps;
-    assert_eq!(Explainer::new(&scene, Method::Trace).err(), Some(Error::Steps));
+    assert_eq!(Explainer::new(&scene, Method::Trace, &Reach::default()).err(), Some(Error::Steps));
 }

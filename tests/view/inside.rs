@@ -10,6 +10,7 @@ use twinlight::gpu::{GpuRaster, Screen};
 use twinlight::raster::frame;
 use twinlight::render::live::{Live, Side, Wish};
 use twinlight::scene::{Light, Method, Reach};
+use twinlight::view::inspector::{Answer, Inspector, Question};
 use twinlight::view::overlay::{Stroke, lines};
 
 use super::{gpu, root, small};
@@ -70,7 +71,7 @@ fn lights_maps_show_what_lights_see() {
 #[test]
 fn a_ray_tree_is_drawn_where_it_runs() {
     let scene = small("room", [96, 72], 1);
-    let explainer = Explainer::new(&scene, Method::Trace).expect("an explainer");
+    let explainer = Explainer::new(&scene, Method::Trace, &Reach::default()).expect("an explainer");
     let mut mirrored = 0;
     for pixel in [[30, 50], [60, 50], [20, 20], [70, 60]] {
         let told = explainer.pixel(pixel).expect("a pixel");
@@ -93,9 +94,35 @@ fn a_ray_tree_is_drawn_where_it_runs() {
 }
 
 #[test]
+fn what_there_is_no_room_for_is_not_told() {
+    let inspector = Inspector::new(Box::new(|| ()));
+    let ask = |memory, point| {
+        let reach = Reach { memory, ..Reach::default() };
+        let scene = small("bust", [16, 12], 1);
+        inspector.ask(Question { scene, method: Method::Trace, pixel: [8, 6], reach, point });
+        let start = Instant::now();
+        loop {
+            match inspector.answer() {
+                Some(Answer::Text(_, text, _)) => return text,
+                Some(Answer::Point(Ok(point))) => return format!("{point:?}"),
+                Some(Answer::Point(Err(why))) => return why,
+                None => assert!(start.elapsed() < Duration::from_mins(1), "no answer"),
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+    };
+    for point in [true, false] {
+        let refused = ask(Some(1 << 20), point);
+        assert!(refused.contains("1 MiB of memory may be taken"), "{refused}");
+        let told = ask(None, point);
+        assert!(told.starts_with("Some(Vec3") || told.contains("linear"), "{told}");
+    }
+}
+
+#[test]
 fn a_seen_face_is_outlined_around_its_pixel() {
     let scene = small("bust", [96, 72], 1);
-    let explainer = Explainer::new(&scene, Method::Raster).expect("an explainer");
+    let explainer = Explainer::new(&scene, Method::Raster, &Reach::default()).expect("an explainer");
     let told = explainer.pixel([48, 30]).expect("a pixel");
     let lines = lines(&scene, &told);
     assert_eq!(lines.len(), 3);

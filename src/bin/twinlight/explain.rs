@@ -55,7 +55,7 @@ fn pixel(text: &str) -> Result<[u32; 2], String> {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let source = arguments.job.input.open(&arguments.scene)?;
     let (scene, method) = arguments.job.scene(&source, arguments.frame)?;
-    let told = Explainer::new(&scene, method)?.pixel(arguments.pixel)?;
+    let told = Explainer::new(&scene, method, &arguments.job.input.reach())?.pixel(arguments.pixel)?;
     if arguments.json {
         let json = serde_json::to_string(&told).map_err(std::io::Error::other)?;
         return say(json + "\n");

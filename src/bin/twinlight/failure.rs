@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use twinlight::prepare::room;
 use twinlight::scene::Error as SceneError;
 use twinlight::{explain, film, gpu, render, scene};
 
@@ -48,17 +49,20 @@ impl Failure {
             Self::Scene(SceneError::Memory { .. })
             | Self::Gpu(gpu::Error::NoRoom { .. })
             | Self::Render(
-                render::Error::Memory { .. }
+                render::Error::Room(room::Error::Memory { .. })
                 | render::Error::Film { .. }
                 | render::Error::Gpu(gpu::Error::NoRoom { .. }),
-            ) => 6,
+            )
+            | Self::Explain(explain::Error::Room(room::Error::Memory { .. })) => 6,
+            Self::Render(render::Error::Room(room::Error::Numbers(_)))
+            | Self::Explain(explain::Error::Room(room::Error::Numbers(_))) => 3,
             Self::Usage(_)
             | Self::Scene(SceneError::Pixels(_))
             | Self::Sizes(_)
             | Self::Explain(_)
             | Self::Film(film::Error::Ending(_))
             | Self::Render(render::Error::Outside(_) | render::Error::Samples(_) | render::Error::Untold(_)) => 2,
-            Self::Scene(_) | Self::Merge(_) | Self::Part(..) | Self::Render(render::Error::Numbers(_)) => 3,
+            Self::Scene(_) | Self::Merge(_) | Self::Part(..) => 3,
             Self::Film(_) | Self::Stdout(_) => 4,
             #[cfg(feature = "viewer")]
             Self::Window(_) => 5,
@@ -78,9 +82,8 @@ impl Failure {
                     render::Error::Outside(_)
                         | render::Error::Samples(_)
                         | render::Error::Untold(_)
-                        | render::Error::Memory { .. }
+                        | render::Error::Room(_)
                         | render::Error::Film { .. }
-                        | render::Error::Numbers(_)
                 )
         )
     }

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use twinlight::gpu::StageTime;
-use twinlight::render::{Backend, Renderer};
+use twinlight::render::{Backend, Renderer, Work};
 
 use crate::job::{Failure, Job, say};
 
@@ -24,13 +24,14 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let source = arguments.job.input.open(&arguments.scene)?;
     let (scene, method) = arguments.job.scene(&source, 1)?;
+    let work = Work::within(&scene, method, &arguments.job.input.reach())?;
     let mut renderer = Renderer::open(Backend::Gpu, &arguments.job.wanted())?;
     // Drivers compile kernels when they run first.
-    renderer.render(&scene, method, &mut |_: f64| ())?;
+    renderer.make(&work, &mut |_: f64| ())?;
     if !renderer.gpu().is_some_and(|gpu| gpu.measure(true)) {
         return Err(Failure::Usage("this adapter has no clock for its stages (timestamp queries)".to_owned()));
     }
-    let rendered = renderer.render(&scene, method, &mut |_: f64| ())?;
+    let rendered = renderer.make(&work, &mut |_: f64| ())?;
     let times = renderer.gpu().map(twinlight::gpu::Gpu::times).unwrap_or_default();
     if arguments.json {
         let stage = |time: &StageTime| serde_json::json!({ "stage": time.name, "passes": time.passes, "seconds": time.took.as_secs_f64() });

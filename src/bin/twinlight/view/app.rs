@@ -260,8 +260,8 @@ impl App {
     /// Asks about a pixel.
     pub(super) fn question(&self, pixel: [u32; 2], point: bool) {
         let Some(desk) = &self.desk else { return };
-        let wish = desk.wish(self.room);
-        self.inspector.ask(Question { scene: wish.scene, method: wish.method, pixel, point });
+        let (wish, reach) = (desk.wish(self.room), self.arguments.reach());
+        self.inspector.ask(Question { scene: wish.scene, method: wish.method, pixel, reach, point });
     }
 }
 

@@ -70,12 +70,13 @@ impl App {
                 Answer::Text(pixel, text, lines) if self.inspected.is_some() => {
                     self.inspected = Some(Inspected { pixel, text, lines });
                 }
-                Answer::Point(Some(point)) => {
+                Answer::Point(Ok(Some(point))) => {
                     if let Some(desk) = &mut self.desk {
                         desk.set_pivot(point);
                         self.changed = true;
                     }
                 }
+                Answer::Point(Err(why)) => self.error = Some(why),
                 _ => {}
             }
         }

@@ -3,9 +3,24 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::Error;
 use crate::scene::model::Model;
 use crate::scene::{Mesh, Method, Reach, Scene};
+
+/// Why a scene's tables are not made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// More faces and pictures than there is memory for.
+    #[error("the scene's faces and pictures need about {needed} MiB, and {most} MiB of memory may be taken")]
+    Memory {
+        /// MiB.
+        needed: u64,
+        /// MiB.
+        most: u64,
+    },
+    /// More triangles than 32 bits can number, every instance's counted.
+    #[error("the scene has {0} triangles with all of its instances, and 4294967294 can be told apart")]
+    Numbers(u64),
+}
 
 /// Bytes of a face with its corners, and with its share of the tree or of the lists that corners are looked up in.
 const FACE: u64 = 256;
@@ -32,7 +47,8 @@ fn bytes(scene: &Scene, method: Method) -> u64 {
 }
 
 /// The models of a scene, each once.
-pub(super) fn models(scene: &Scene) -> Vec<&Model> {
+#[must_use]
+pub fn models(scene: &Scene) -> Vec<&Model> {
     let mut known = HashSet::new();
     let models = scene.meshes.iter().map(|mesh| &mesh.model);
     models.filter(|model| known.insert(Arc::as_ptr(model))).map(|model| &**model).collect()
@@ -40,7 +56,10 @@ pub(super) fn models(scene: &Scene) -> Vec<&Model> {
 
 /// Whether a scene's tables fit into what may be taken. Counted before it is taken: a file of a few lines may place a
 /// model a million times.
-pub(super) fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error> {
+///
+/// # Errors
+/// [`Error::Memory`] and [`Error::Numbers`] if they do not.
+pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error> {
     let (needed, most) = (bytes(scene, method), reach.most());
     if needed > most {
         return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
