@@ -66,7 +66,7 @@ impl<'a> Heard<'a> {
 
     /// A hit is a leaf, or in a scene of few things a primitive's own number.
     fn thing(&self, hit: u32) -> (Thing, Kind) {
-        let own = self.tables.leaves.iter().find(|leaf| self.tables.few && leaf.id == hit);
+        let own = if self.tables.few { self.tables.leaves.iter().find(|leaf| leaf.id == hit) } else { None };
         let leaf = own.copied().unwrap_or_else(|| primitive_at(self.tables, hit).leaf);
         let kind = match leaf.kind {
             SPHERE => Kind::Sphere,
@@ -78,13 +78,22 @@ impl<'a> Heard<'a> {
 
     /// What a shadow ray meets first.
     fn blocker(&self, asked: &Lit) -> Option<Thing> {
-        let hit = if self.tables.few {
-            nearest(self.tables, asked.shadow).hit
-        } else {
-            let mut stack = vec![[0; 2]; self.tables.deep as usize];
-            walk(self.tables, &mut stack, asked.shadow, Walk::new(asked.reach), u32::MAX, false).hit
-        };
+        let hit = if self.tables.few { nearest(self.tables, asked.shadow).hit } else { self.first(asked) };
         (hit != NONE).then(|| self.thing(hit).0)
+    }
+
+    /// The nearest of all that a shadow ray may stop at. A walk to the nearest hit would pass backs of one-sided faces,
+    /// which keep light away; so it is the last of walks to any hit, each before the one that was found.
+    fn first(&self, asked: &Lit) -> u32 {
+        let mut stack = vec![[0; 2]; self.tables.deep as usize];
+        let mut nearer = |t| walk(self.tables, &mut stack, asked.shadow, Walk::new(t), u32::MAX, true);
+        let mut first = nearer(asked.reach);
+        let mut next = first;
+        while next.hit != NONE {
+            first = next;
+            next = nearer(first.t);
+        }
+        first.hit
     }
 }
 

@@ -6,7 +6,7 @@ use twinlight::film::Film;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::raster;
-use twinlight::scene::{Method, Reach, Scene, Show};
+use twinlight::scene::{Method, Reach, Scene, Show, load};
 use twinlight::trace::BLOCK;
 
 use super::{Dice, on_cpu, random_scene, root, scenes, small, tables_of};
@@ -247,4 +247,46 @@ fn what_is_shown_instead_of_colors_is_explained_too() {
     assert_eq!(Explainer::new(&scene, Method::Raster, &Reach::default()).err(), Some(Error::Tiles));
     scene.raster.show = Show::Steps;
     assert_eq!(Explainer::new(&scene, Method::Trace, &Reach::default()).err(), Some(Error::Steps));
+}
+
+#[test]
+fn what_keeps_the_light_away_is_named_whichever_side_it_shows() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let quad = "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nf 1 2 3 4\n";
+    std::fs::write(folder.path().join("quad.obj"), quad).expect("written");
+    let text = r#"
+        camera = { position = [0.3, 1, 1.5], look_at = [0.3, 0, 0] }
+        film = { size = [9, 9] }
+        light.directional = [{ toward = [0, 1, 0] }]
+        material = [{ name = "white" }]
+        [[object.plane]]
+        point = [0, 0, 0]
+        normal = [0, 1, 0]
+        material = "white"
+        [[object.mesh]]
+        path = "quad.obj"
+        translate = [0, 2, 0]
+        scale = 2
+        [[object.mesh]]
+        path = "quad.obj"
+        translate = [0, 3, 0]
+        scale = 2
+    "#;
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, text).expect("written");
+    let mut scene = load(&file).expect("a scene");
+    // From below, both quads show their backs.
+    for one_sided in [[false, false], [true, false], [false, true], [true, true]] {
+        for (mesh, one_sided) in scene.meshes.iter_mut().zip(one_sided) {
+            mesh.one_sided = one_sided;
+        }
+        let explainer = Explainer::new(&scene, Method::Trace, &Reach::default()).expect("an explainer");
+        let told = explainer.pixel([4, 4]).expect("a pixel");
+        let Samples::Trace(samples) = told.samples else { panic!("it was traced") };
+        let floor = samples[0].rays[0].meets.as_ref().expect("the floor");
+        assert_eq!(floor.thing.object, "object.plane[0]");
+        let light = &floor.lights[0];
+        let blocker = light.blocker.as_ref().map(|thing| thing.object.as_str());
+        assert_eq!((light.arrives, blocker), (false, Some("object.mesh[0]")), "one-sided: {one_sided:?}");
+    }
 }
