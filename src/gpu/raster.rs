@@ -16,6 +16,7 @@ use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
 use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
 use part::{Bound, parts};
+use variant::Laces;
 
 /// What is nearest, on the device.
 #[derive(Debug)]
@@ -96,13 +97,6 @@ struct Kernels {
     heat: Kernel,
 }
 
-/// The stages of cut-out faces that are not those of all others.
-#[derive(Debug)]
-struct Laces {
-    split: [Kernel; 2],
-    lace: [Kernel; 2],
-}
-
 /// Rows of the calls.
 const CUT: u32 = 0;
 const CUT_TORN: u32 = 1;
@@ -181,16 +175,7 @@ impl<'a> GpuRaster<'a> {
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
         let [pixels, tiles] = sizes(drawing);
         let runs = pixels.div_ceil(kernels.sift.group() as usize);
-        let laces = drawing.laced().then(|| {
-            let sources =
-                kernels.sources.clone().for_what("lace").with_count("filtering", drawing.canvas.filtering);
-            let kernel = |name, eye| kernels.variant.kernel(gpu, &sources, name, eye);
-            Ok::<_, Error>(Laces {
-                split: [kernel("split", false)?, kernel("split", true)?],
-                lace: [kernel("lace", false)?, kernel("lace", true)?],
-            })
-        });
-        let laces = laces.transpose()?;
+        let laces = drawing.laced().then(|| kernels.variant.laces(gpu, &kernels.sources, drawing)).transpose()?;
         let shader = kernels.variant.shader(gpu, &kernels.sources, drawing)?;
         Ok(Self {
             gpu,

@@ -10,7 +10,8 @@ use twinlight::gpu::{Gpu, Screen, Wanted};
 use twinlight::math::Vec3;
 use twinlight::render::live::{Live, Side, Wish};
 use twinlight::render::{Backend, Renderer};
-use twinlight::scene::{Behavior, Light, Method, Reach, Scene, Triangle};
+use twinlight::scene::model::{self, Content, Corner, Map, Model, Texture};
+use twinlight::scene::{Behavior, Filter, Light, Mesh, Method, Reach, Scene, Triangle};
 use twinlight::view::desk::{Desk, Hand};
 use twinlight::view::keys::Command;
 use twinlight::view::worker::{Inside, Order, Report, Worker};
@@ -129,6 +130,49 @@ fn other_numbers_of_materials_are_taken_up() {
             assert!(!live.aim(&wish).expect("a wish"), "{name} is not made ready anew");
         }
     }
+}
+
+/// A square in the light of the pyramid's scene, with holes that its picture cuts by a few texels.
+fn square_with_holes() -> Mesh {
+    let corner = |i| Corner { position: i, uv: i, normal: 0 };
+    let face = |corners: [u32; 3]| model::Triangle { corners: corners.map(corner), material: 0, group: 0 };
+    let texels = (0..16_u32).map(|i| [9, 9, 9, (i * 97 % 256) as u8]).collect();
+    let picture =
+        Texture { file: String::new(), content: Content::Scalar, width: 4, height: 4, texels, has_alpha: true };
+    let scale = glam::Vec2::ONE;
+    let holes = Map { texture: 0, scale, offset: glam::Vec2::ZERO, clamp: false, strength: 1.0 };
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let model = Model {
+        groups: vec![String::new()],
+        positions: square.map(|[x, y]| Vec3::new(2.0 * x - 0.5, 2.0 * y + 0.5, 1.5)).to_vec(),
+        uvs: square.map(glam::Vec2::from_array).to_vec(),
+        normals: vec![Vec3::Z],
+        triangles: vec![face([0, 1, 2]), face([0, 2, 3])],
+        textures: vec![picture],
+        materials: vec![model::Material { opacity_map: Some(holes), ..model::Material::named("lace") }],
+        ..Model::default()
+    };
+    Mesh::of(Arc::new(model))
+}
+
+#[test]
+fn another_filter_is_another_hole_and_another_shadow() {
+    let gpu = gpu();
+    for side in [Side::Gpu, Side::Cpu] {
+        let mut scene = small("pyramid", [61, 47], 1);
+        scene.meshes = vec![square_with_holes()];
+        let mut wish = Wish { method: Method::Raster, scene, side, moving: false };
+        let mut live = open(&gpu, &wish);
+        let before = last(&gpu, &mut live, [61, 47]);
+        for filter in [Filter::Nearest, Filter::Bilinear, Filter::Mipmap, Filter::Nearest] {
+            wish.scene.raster.filter = filter;
+            assert!(live.aim(&wish).expect("a wish"), "only the filter is another");
+            let got = last(&gpu, &mut live, [61, 47]);
+            assert!(got == words(&wish.scene, Method::Raster), "{filter:?} on the {side:?}");
+            assert!(filter != Filter::Nearest || got != before, "that is no test");
+        }
+    }
+    assert_eq!(gpu.complaint(), None, "wgpu complained");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! a drawing that is kept -> another like it, of which only what is small goes to the device
 
 use super::part::parts;
-use super::{GpuRaster, sizes};
+use super::{GpuRaster, Kernels, sizes};
 use crate::gpu::{Buffer, Error};
 use crate::tables::Drawing;
 
@@ -25,7 +25,11 @@ impl GpuRaster<'_> {
         if from < drawing.vertices.len() {
             self.parts = parts(self.gpu, drawing, self.binding)?;
         }
-        self.shader = self.kernels.variant.shader(self.gpu, &self.kernels.sources, drawing)?;
+        let Kernels { variant, sources, .. } = &*self.kernels;
+        self.shader = variant.shader(self.gpu, sources, drawing)?;
+        if let Some(laces) = &mut self.laces {
+            *laces = variant.laces(self.gpu, sources, drawing)?;
+        }
         self.lenses = self.gpu.texels("lenses", &drawing.lenses)?;
         self.paints = self.gpu.texels("paints", &drawing.paints)?;
         self.lamps = self.gpu.texels("lamps", &drawing.lamps)?;

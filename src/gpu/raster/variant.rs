@@ -21,6 +21,13 @@ pub struct Variant {
 /// Lights that `shade` asks of a pixel: lavapipe ends loops after 65,535 turns without a word, and watchdogs end long
 /// dispatches.
 const MOST_LIGHTS: u32 = 1 << 14;
+/// The stages of cut-out faces that are not those of all others: the first of two draws onto a light's image, the second
+/// onto an eye's.
+#[derive(Debug)]
+pub(super) struct Laces {
+    pub(super) split: [Kernel; 2],
+    pub(super) lace: [Kernel; 2],
+}
 
 /// Lanes of a subgroup, at least, that are worth handing plans around in.
 const LEAST_SEATS: u32 = 4;
@@ -70,6 +77,16 @@ impl Variant {
         let sources = sources.with_count("lamps", canvas.lamps);
         let sources = if drawing.samples() == 1 { sources.for_what("once") } else { sources };
         Kernel::new(gpu, &sources.for_what("eye"), "raster/shade")
+    }
+
+    /// The stages of a drawing's cut-out faces: where the holes are hangs on how their pictures are read.
+    pub(super) fn laces(self, gpu: &Gpu, sources: &Sources, drawing: &Drawing) -> Result<Laces, Error> {
+        let sources = sources.clone().for_what("lace").with_count("filtering", drawing.canvas.filtering);
+        let kernel = |name, eye| self.kernel(gpu, &sources, name, eye);
+        Ok(Laces {
+            split: [kernel("split", false)?, kernel("split", true)?],
+            lace: [kernel("lace", false)?, kernel("lace", true)?],
+        })
     }
 
     fn sources(self, sources: &Sources) -> Sources {

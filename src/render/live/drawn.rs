@@ -108,7 +108,9 @@ impl<'g> Drawn<'g> {
         scene.film.size = size;
         self.scenery.aim(&scene);
         let drawing = &self.scenery.drawing;
-        let lights = drawing.lenses != before;
+        // Where the holes of cut-out faces are, and with them their shadows, hangs on how pictures are read.
+        let holes = was.raster.filter != is.raster.filter && drawing.laced();
+        let lights = drawing.lenses != before || holes;
         match &mut self.on {
             On::Gpu { stages, shadows, image } => {
                 stages.aim(drawing, self.scenery.solid())?;
