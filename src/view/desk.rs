@@ -1,6 +1,7 @@
 //! what is looked at, how, and what was done to it: all that a window would lose
 
 mod out;
+mod undo;
 
 use std::path::{Path, PathBuf};
 
@@ -11,11 +12,14 @@ use super::history::History;
 use super::keys::Command;
 use crate::render::live::{Side, Wish};
 use crate::scene::{Camera, Draft, Error, Held, Method, Reach, Scene, Show, Source};
+use undo::State;
 
 /// What is looked at, and how.
 #[derive(Debug)]
 pub struct Desk {
     source: Source,
+    /// The text that the file holds, as far as is known.
+    file: String,
     /// With the camera as it stands now.
     scene: Scene,
     home: Camera,
@@ -27,21 +31,6 @@ pub struct Desk {
     history: History<State>,
     /// What was there before the drag in hand.
     held: Option<State>,
-}
-
-/// What undo brings back.
-#[derive(Debug, Clone)]
-struct State {
-    camera: Camera,
-    /// What the eye turns about.
-    pivot: Vec3,
-    draft: Draft,
-}
-
-impl PartialEq for State {
-    fn eq(&self, other: &Self) -> bool {
-        self.camera == other.camera && self.draft.text() == other.draft.text()
-    }
 }
 
 /// What one does with the hand that is on the picture.
@@ -75,9 +64,9 @@ impl Desk {
         let scene = source.scene(1)?;
         let (camera, method) = (scene.camera.clone(), scene.method);
         let now = State { pivot: camera.look_at, camera: camera.clone(), draft };
-        let history = History::default();
+        let (file, history) = (read.text().to_owned(), History::default());
         let given = now.draft.edits().to_vec();
-        Ok(Self { source, scene, home: camera, given, method, side: Side::Gpu, now, history, held: None })
+        Ok(Self { source, file, scene, home: camera, given, method, side: Side::Gpu, now, history, held: None })
     }
 
     /// The same with another method or backend.
@@ -87,8 +76,9 @@ impl Desk {
         self
     }
 
-    /// The same scene read again: the eye stays where it is, and what is shown stays.
-    pub fn renew(&mut self, read: Self) {
+    /// The same scene read again: the eye stays where it is, and what is shown stays. Whether there was something to
+    /// undo that cannot be undone any more, since the file holds another text than before.
+    pub fn renew(&mut self, read: Self) -> bool {
         let (camera, show) = (self.scene.camera.clone(), self.scene.raster.show);
         let at_home = camera == self.home;
         (self.source, self.home, self.scene) = (read.source, read.home, read.scene);
@@ -97,6 +87,7 @@ impl Desk {
         if !at_home {
             self.scene.camera = camera;
         }
+        self.holds(read.file)
     }
 
     /// What was put in by hand is an edit that would be lost.
@@ -168,22 +159,6 @@ impl Desk {
         self.scene.camera = camera;
     }
 
-    fn state(&self) -> State {
-        State { camera: self.scene.camera.clone(), ..self.now.clone() }
-    }
-
-    fn leave(&mut self) {
-        if self.held.is_none() {
-            self.history.leave(self.state());
-        }
-    }
-
-    fn hold(&mut self) {
-        if self.held.is_none() {
-            self.held = Some(self.state());
-        }
-    }
-
     /// A move of the hand; all moves and values until [`Desk::let_go`] are one step for undo.
     pub fn hand(&mut self, hand: Hand) {
         self.hold();
@@ -230,19 +205,6 @@ impl Desk {
         Ok(())
     }
 
-    /// The hand is off: what it did is one step.
-    pub fn let_go(&mut self) {
-        if let Some(state) = self.held.take().filter(|state| *state != self.state()) {
-            self.history.leave(state);
-        }
-    }
-
-    /// Whether a hand is on something.
-    #[must_use]
-    pub fn held(&self) -> bool {
-        self.held.is_some()
-    }
-
     /// Does what a key says, if it is about what is seen.
     pub fn obey(&mut self, command: Command) {
         match command {
@@ -263,24 +225,10 @@ impl Desk {
                 self.now.pivot = center;
                 self.scene.camera.frame(center, center.distance(corner), width / height);
             }
-            Command::Undo => {
-                if let Some(state) = self.history.undo(self.state()) {
-                    self.bring_back(state);
-                }
-            }
-            Command::Redo => {
-                if let Some(state) = self.history.redo(self.state()) {
-                    self.bring_back(state);
-                }
-            }
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
             _ => {}
         }
-    }
-
-    fn bring_back(&mut self, state: State) {
-        // It was a scene once; only files that are gone since could say otherwise, and then the text stays as it is.
-        let _ = self.take(state.draft);
-        (self.scene.camera, self.now.pivot) = (state.camera, state.pivot);
     }
 
     /// What is shown instead of the picture is one method's.

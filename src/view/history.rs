@@ -35,6 +35,13 @@ impl<T: PartialEq> History<T> {
         Some(state)
     }
 
+    /// Forgets all states; whether there were any.
+    pub fn forget(&mut self) -> bool {
+        let any = !(self.before.is_empty() && self.after.is_empty());
+        *self = Self::default();
+        any
+    }
+
     /// The state that was taken back.
     pub fn redo(&mut self, now: T) -> Option<T> {
         let state = self.after.pop()?;

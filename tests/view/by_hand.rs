@@ -173,6 +173,45 @@ fn what_is_saved_opens_as_it_was_seen() {
 }
 
 #[test]
+fn undo_never_writes_over_what_somebody_else_has_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("room.toml");
+    std::fs::copy(root().join("scenes/room.toml"), &file).expect("a copy");
+    let open = |desk: Option<&Desk>| {
+        let edits = desk.map(|desk| desk.draft().edits().to_vec()).unwrap_or_default();
+        Desk::open(&file, &edits, &Reach::default()).expect("a room")
+    };
+    let text = || std::fs::read_to_string(&file).expect("a file");
+    let turn = Hand::Orbit(Vec2::new(0.07, 0.03));
+    let mut desk = open(None);
+    let start = desk.scene().camera.clone();
+    desk.set("light.point[0].intensity", &Held::Number(0.55)).expect("a right value");
+    desk.let_go();
+    desk.hand(turn);
+    desk.let_go();
+    // One step is done, one is in hand, and one is taken back, when the file is another.
+    desk.obey(Command::Undo);
+    desk.hand(turn);
+    let other = text().replace("[film]", "# by another hand\n[film]");
+    assert_ne!(other, text(), "that is no test");
+    std::fs::write(&file, &other).expect("written");
+    assert!(desk.renew(open(Some(&desk))), "steps are gone, and that is told");
+    desk.let_go();
+    for command in [Command::Undo, Command::Undo, Command::Redo, Command::Redo, Command::Undo] {
+        desk.obey(command);
+        assert!(desk.draft().text().contains("# by another hand"), "{command:?}");
+    }
+    assert_eq!(desk.scene().camera, start, "the step in hand is one that can be undone");
+    assert_eq!(desk.draft().get("light.point[0].intensity"), Some(Held::Number(0.55)), "what was put in stays");
+    desk.save().expect("a place to write");
+    assert_eq!(text(), other.replacen("intensity = 0.4", "intensity = 0.55", 1));
+    // What the window itself has written is no other text.
+    assert!(!desk.renew(open(Some(&desk))), "nothing is gone");
+    desk.obey(Command::Redo);
+    assert_ne!(desk.scene().camera, start);
+}
+
+#[test]
 fn a_copied_camera_is_pasted_to_the_bit() {
     let mut one = desk("room", Method::Trace);
     one.hand(Hand::Orbit(Vec2::new(0.31, -0.2)));

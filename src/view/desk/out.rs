@@ -30,6 +30,9 @@ impl Desk {
         }
         crate::film::replace(&file, draft.text().as_bytes()).map_err(|error| error.to_string())?;
         draft.saved();
+        if file == self.source.path() {
+            draft.text().clone_into(&mut self.file);
+        }
         self.now.draft = draft;
         self.home = self.scene.camera.clone();
         self.given.clear();

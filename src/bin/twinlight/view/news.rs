@@ -110,7 +110,12 @@ impl App {
                 self.changed = true;
                 let (method, show) = self.arguments.job.asked();
                 match &mut self.desk {
-                    Some(desk) if again => desk.renew(read),
+                    Some(desk) if again => {
+                        if desk.renew(read) {
+                            let why = "the file has changed: what was done before that cannot be undone";
+                            self.note = Some(why.to_owned());
+                        }
+                    }
                     desk => {
                         let mut read = read.with(method, self.arguments.backend);
                         if self.arguments.losses > 0 {
