@@ -21,6 +21,7 @@ pub struct Variant {
 /// Lights that `shade` asks of a pixel: lavapipe ends loops after 65,535 turns without a word, and watchdogs end long
 /// dispatches.
 const MOST_LIGHTS: u32 = 1 << 14;
+
 /// The stages of cut-out faces that are not those of all others: the first of two draws onto a light's image, the second
 /// onto an eye's.
 #[derive(Debug)]
