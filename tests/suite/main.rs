@@ -15,6 +15,7 @@ mod cli_batch;
 mod cli_explain;
 mod cli_parts;
 mod compare;
+mod coordinates;
 mod explain;
 mod few;
 mod frames;

@@ -33,7 +33,9 @@ fn bumped(n: vec3f, a: Vertex, b: Vertex, c: Vertex, tangent: vec3f) -> vec3f {
     if (dot(along_u, along_u) == 0.0 || dot(along_v, along_v) == 0.0) {
         return n;
     }
-    return unit(sum_by(tangent, unit(along_u), unit(along_v), n));
+    let bent = unit(sum_by(tangent, unit(along_u), unit(along_v), n));
+    // Coordinates too large to be told apart, and a picture's zero, bend nothing.
+    return select(n, bent, dot(bent, bent) > 0.0);
 }
 
 struct Look {

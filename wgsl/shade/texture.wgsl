@@ -27,6 +27,13 @@ fn level_of(map: Map, number: u32) -> Level {
     return level;
 }
 
+// Where a coordinate lies in a picture, from 0 to 1. Where it is too large to lie anywhere, it is 0 on both sides. Bits
+// are asked, as a compiler may think that every comparison is of numbers.
+fn within(x: f32) -> f32 {
+    let u = x - floor(x);
+    return select(0.0, u, bitcast<u32>(u) <= bitcast<u32>(1.0));
+}
+
 // The picture repeats; no more than its size beyond either end. A remainder is what lavapipe has no vectors for.
 fn wrapped(x: i32, size: i32) -> i32 {
     return x + select(select(0, -size, x >= size), size, x < 0);
@@ -70,8 +77,8 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
 // `right` and `down`: the texture coordinates one pixel further on.
 fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
-    let u = full.x - floor(full.x);
-    let v = full.y - floor(full.y);
+    let u = within(full.x);
+    let v = within(full.y);
     let finest = level_of(map, 0u);
     if (FILTERING == NEAREST) {
         return texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
@@ -82,8 +89,11 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
     let size = map.scale * vec2f(f32(map.width), f32(map.height));
     let dx = (right - uv) * size;
     let dy = (down - uv) * size;
-    let stride = max(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
-    let detail = clamp(0.5 * log2_exact(clamp(stride, 1e-6, 1e12)), 0.0, f32(map.levels - 1u));
+    // What is not negative is in the order of its bits, and what is no number beyond all numbers.
+    let squares = vec2f(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
+    let bits = max(bitcast<u32>(squares.x), bitcast<u32>(squares.y));
+    let stride = bitcast<f32>(clamp(bits, bitcast<u32>(1e-6), bitcast<u32>(1e12)));
+    let detail = clamp(0.5 * log2_exact(stride), 0.0, f32(map.levels - 1u));
     let fine = u32(detail);
     let near = bilinear(level_of(map, fine), u, v, decode);
     // Past the coarsest there is nothing to blend with, and nothing left of the way there.
@@ -96,8 +106,8 @@ fn is_there(map: Map, uv: vec2f) -> bool {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     // Without a loop: a ray asks this in the midst of its own.
     let level = Level(map.first, i32(map.width), i32(map.height));
-    let x = hold((full.x - floor(full.x)) * f32(map.width));
-    let y = hold((full.y - floor(full.y)) * f32(map.height));
+    let x = hold(within(full.x) * f32(map.width));
+    let y = hold(within(full.y) * f32(map.height));
     if (FILTERING == NEAREST) {
         return alpha_of(level, i32(x), i32(y)) >= 0.5;
     }

@@ -9,6 +9,7 @@ use super::snap::to_clip;
 use super::weights::{weights, weights_inside};
 use crate::cpu::shade::look::{bumped, look_of, sum_by, uv_by};
 use crate::cpu::shade::phong::phong;
+use crate::cpu::shade::texture::within;
 use crate::cpu::witness::{Fragment, Term, Witness};
 use crate::math::vector::unit;
 use crate::tables::{
@@ -102,7 +103,7 @@ fn color_at(
         }
         SHOW_SHADOW => Vec3::splat(open),
         SHOW_NORMAL => n * 0.5 + 0.5,
-        SHOW_UV => Vec3::new(uvs[0].x - uvs[0].x.floor(), uvs[0].y - uvs[0].y.floor(), 0.0),
+        SHOW_UV => Vec3::new(within(uvs[0].x), within(uvs[0].y), 0.0),
         SHOW_ALBEDO => albedo,
         SHOW_AMBIENT => canvas.ambient,
         SHOW_DIFFUSE => diffuse * albedo,

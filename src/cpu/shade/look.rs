@@ -37,7 +37,9 @@ pub fn bumped(n: Vec3, [a, b, c]: [&Vertex; 3], tangent: Vec3, witness: &mut imp
     }
     let (t, b) = (unit(along_u), unit(along_v));
     witness.tangents([t, b]);
-    unit(sum_by(tangent, t, b, n))
+    let bent = unit(sum_by(tangent, t, b, n));
+    // Coordinates too large to be told apart, and a picture's zero, bend nothing.
+    if bent.dot(bent) > 0.0 { bent } else { n }
 }
 
 /// What a paint's pictures make of a place.

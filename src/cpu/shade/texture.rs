@@ -23,6 +23,13 @@ fn level_of(map: &Map, number: u32) -> Level {
     level
 }
 
+/// Where a coordinate lies in a picture, from 0 to 1. Where it is too large to lie anywhere, it is 0 on both sides.
+#[must_use]
+pub fn within(x: f32) -> f32 {
+    let u = x - x.floor();
+    if u.to_bits() <= 1_f32.to_bits() { u } else { 0.0 }
+}
+
 /// The picture repeats; no more than its size beyond either end.
 fn wrapped(x: i32, size: i32) -> i32 {
     x + if x < 0 {
@@ -71,7 +78,7 @@ fn bilinear(texels: &[u32], level: Level, u: f32, v: f32, decode: bool) -> Vec3 
 pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], decode: bool) -> Vec3 {
     let [uv, right, down] = uvs;
     let full = uv * map.scale + map.shift;
-    let (u, v) = (full.x - full.x.floor(), full.y - full.y.floor());
+    let (u, v) = (within(full.x), within(full.y));
     let finest = level_of(map, 0);
     if filtering == NEAREST {
         let (x, y) = (u * map.width as f32, v * map.height as f32);
@@ -83,8 +90,10 @@ pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], dec
     let size = map.scale * Vec2::new(map.width as f32, map.height as f32);
     let dx = (right - uv) * size;
     let dy = (down - uv) * size;
-    let stride = (dx.x * dx.x + dx.y * dx.y).max(dy.x * dy.x + dy.y * dy.y);
-    let detail = (0.5 * log2_exact(stride.clamp(1e-6, 1e12))).clamp(0.0, (map.levels - 1) as f32);
+    // What is not negative is in the order of its bits, and what is no number beyond all numbers.
+    let bits = (dx.x * dx.x + dx.y * dx.y).to_bits().max((dy.x * dy.x + dy.y * dy.y).to_bits());
+    let stride = f32::from_bits(bits.clamp(1e-6_f32.to_bits(), 1e12_f32.to_bits()));
+    let detail = (0.5 * log2_exact(stride)).clamp(0.0, (map.levels - 1) as f32);
     let fine = detail as u32;
     let near = bilinear(texels, level_of(map, fine), u, v, decode);
     if fine + 1 >= map.levels {
@@ -99,8 +108,7 @@ pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], dec
 pub fn is_there(texels: &[u32], filtering: u32, map: &Map, uv: Vec2) -> bool {
     let full = uv * map.scale + map.shift;
     let level = level_of(map, 0);
-    let x = (full.x - full.x.floor()) * map.width as f32;
-    let y = (full.y - full.y.floor()) * map.height as f32;
+    let (x, y) = (within(full.x) * map.width as f32, within(full.y) * map.height as f32);
     if filtering == NEAREST {
         return alpha_of(texels, level, x as i32, y as i32) >= 0.5;
     }
