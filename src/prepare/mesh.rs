@@ -12,7 +12,7 @@ use crate::film::Transfer;
 use crate::math::vector::unit;
 use crate::scene::model::{self, Model};
 use crate::scene::{Material, Mesh, Scene};
-use crate::tables::{CUT_OUT, Face, Map, NONE, ONE_SIDED, Paint, Vertex};
+use crate::tables::{CLAMPED, CUT_OUT, Face, Map, NONE, ONE_SIDED, Paint, Vertex};
 
 /// A drawing's triangles while they are gathered.
 #[derive(Debug, Default)]
@@ -215,7 +215,11 @@ fn vertex(&(position, uv): &(Vec3, Vec2), normal: Vec3) -> Vertex {
 }
 
 fn lay(map: Option<model::Map>, textures: &[Map]) -> Map {
-    map.map_or(BARE, |m| Map { scale: m.scale, shift: m.offset, ..textures[m.texture as usize] })
+    let clamped = |m: &model::Map| if m.clamp { CLAMPED } else { 0 };
+    map.map_or(BARE, |m| {
+        let picture = textures[m.texture as usize];
+        Map { levels: picture.levels | clamped(&m), scale: m.scale, shift: m.offset, ..picture }
+    })
 }
 
 /// The scene's own material in the place of one with the same maps.

@@ -163,7 +163,8 @@ pub struct Map {
     pub scale: Vec2,
     /// `-o`, 0 by default.
     pub offset: Vec2,
-    /// `-clamp on`: nothing outside 0..1; otherwise the picture repeats.
+    /// `-clamp on`: outside 0..1 the texels of the edge go on, as what most programs make of it; otherwise the picture
+    /// repeats.
     pub clamp: bool,
     /// `-bm` of a normal map: multiplies its x and y. 1 for all else (a height map's is already in it).
     pub strength: f32,

@@ -12,7 +12,8 @@ pub struct Map {
     pub width: u32,
     /// Rows of the finest level.
     pub height: u32,
-    /// How many levels, each half as wide and high as the one before.
+    /// How many levels, each half as wide and high as the one before; with [`CLAMPED`] where its edge goes on for ever,
+    /// instead of the picture repeating.
     pub levels: u32,
     /// Times the texture coordinates.
     pub scale: Vec2,
@@ -93,6 +94,8 @@ pub struct Canvas {
     pub reach: f32,
 }
 
+/// The bit of [`Map::levels`] that says that a picture does not repeat.
+pub const CLAMPED: u32 = 1 << 31;
 /// The nearest texel.
 pub const NEAREST: u32 = 0;
 /// The four nearest texels.

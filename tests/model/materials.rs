@@ -30,7 +30,13 @@ fn material(mtl: &str) -> (Material, Vec<String>) {
 #[test]
 fn numbers() {
     let (all, said) = material("Ka 0.1 0.2 0.3\nKd 1 0.5 .25\nKs 0.5\nKe 2 2 2\nNs 96.1\nNi 1.5\nd 0.5\nillum 2\n");
-    assert_eq!(said, ["m.mtl:1: material `a` is partly transparent (`d` or `Tr`), and is drawn opaque"]);
+    assert_eq!(
+        said,
+        [
+            "m.mtl:1: material `a` shines by itself (`Ke`), and is drawn as if it did not",
+            "m.mtl:1: material `a` is partly transparent (`d` or `Tr`), and is drawn opaque",
+        ]
+    );
     assert_eq!((all.ambient, all.diffuse), (Vec3::new(0.1, 0.2, 0.3), Vec3::new(1.0, 0.5, 0.25)));
     assert_eq!((all.specular, all.emission), (Vec3::splat(0.5), Vec3::splat(2.0)));
     assert_eq!((all.exponent, all.refraction_index, all.opacity, all.illumination), (96.1, 1.5, 0.5, Some(2)));

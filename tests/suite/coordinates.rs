@@ -1,4 +1,4 @@
-//! Texture coordinates that are too large to lie anywhere.
+//! Texture coordinates beyond a picture: where its edge goes on, and where they are too large to lie anywhere.
 
 use std::sync::Arc;
 
@@ -7,6 +7,8 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::math::{Vec2, Vec3};
 use twinlight::scene::model::{Content, Corner, Map, Material, Model, Texture, Triangle};
 use twinlight::scene::{Filter, Light, Mesh, Method, Scene, Show};
+
+use twinlight::tables::NONE;
 
 use super::{Dice, root, scene_on_cpu, scene_on_gpu, small};
 
@@ -43,6 +45,8 @@ fn square(uvs: [[f32; 2]; 4], map: Map) -> Scene {
     scene
 }
 
+const FILTERS: [Filter; 3] = [Filter::Nearest, Filter::Bilinear, Filter::Mipmap];
+
 const PLAIN: Map = Map { texture: 0, scale: Vec2::ONE, offset: Vec2::ZERO, clamp: false, strength: 1.0 };
 
 /// The same on both sides, and nowhere what is no number.
@@ -60,17 +64,70 @@ fn coordinates_too_large_to_lie_anywhere_are_the_same_on_both_sides() {
         [[[3e38, 0.0], [1.0, 0.1], [1.0, 1.0], [0.0, 1.0]], [[3e38, -3e38], [-3e38, 2e38], [1e30, 1.0], [0.0; 2]]];
     let map = Map { scale: Vec2::splat(10.0), ..PLAIN };
     for (number, uvs) in far.into_iter().enumerate() {
-        for filter in [Filter::Nearest, Filter::Bilinear, Filter::Mipmap] {
-            let mut scene = square(uvs, map);
+        for (filter, clamp) in FILTERS.into_iter().flat_map(|filter| [(filter, false), (filter, true)]) {
+            let mut scene = square(uvs, Map { clamp, ..map });
             (scene.raster.filter, scene.trace.filter) = (filter, filter);
             for method in [Method::Raster, Method::Trace] {
                 scene.method = method;
-                holds(&scene, &format!("coordinates {number}, {filter:?}, {method:?}"));
+                holds(&scene, &format!("coordinates {number}, {filter:?}, {clamp}, {method:?}"));
             }
             for show in [Show::Normal, Show::Uv] {
                 (scene.method, scene.raster.show) = (Method::Raster, show);
-                holds(&scene, &format!("coordinates {number}, {filter:?}, {show:?}"));
+                holds(&scene, &format!("coordinates {number}, {filter:?}, {clamp}, {show:?}"));
             }
+        }
+    }
+}
+
+/// A picture and as much around it on all sides: a pixel is an eighth of it.
+fn in_the_middle(scale: f32) -> Scene {
+    let scale = Vec2::splat(scale);
+    let map = Map { scale, offset: (Vec2::ONE - scale) * 0.5, clamp: true, ..PLAIN };
+    let mut scene = square([[-1.0, -1.0], [2.0, -1.0], [2.0, 2.0], [-1.0, 2.0]], map);
+    (scene.method, scene.raster.show) = (Method::Raster, Show::Albedo);
+    scene
+}
+
+#[test]
+fn a_clamped_picture_ends_in_its_edge() {
+    let mut scene = in_the_middle(1.0);
+    scene.raster.filter = Filter::Nearest;
+    let film = scene_on_cpu(&scene);
+    let [color, _, holes] = &scene.meshes[0].model.textures[..] else { panic!("three pictures") };
+    let texel = |of: &Texture, x: u32, y: u32| {
+        let at = |i: u32, size: f32| (((i as f32 + 0.5) / 8.0 - 1.0) * size).clamp(0.0, size - 1.0) as usize;
+        of.texels[at(y, 3.0) * 5 + at(x, 5.0)]
+    };
+    let (mut there, mut gone) = (0, 0);
+    // Each pixel off the diagonal, on which both triangles meet; the upper one is cut out.
+    for [x, y] in (0..24).flat_map(|y| (0..24).map(move |x| [x, y])).filter(|[x, y]| x + y != 23) {
+        let pixel = y * 24 + x;
+        if x + y < 23 && texel(holes, x, y)[3] < 128 {
+            assert_eq!(film.id(pixel), NONE, "{x} {y}");
+            gone += 1;
+        } else {
+            let [red, green, blue, _] = texel(color, x, y).map(|byte| scene.film.transfer.decode(byte));
+            assert_eq!(film.color(pixel), Vec3::new(red, green, blue), "{x} {y}");
+            there += 1;
+        }
+    }
+    assert!(there > 300 && gone > 50, "{there} {gone}");
+}
+
+/// Between texels and at every level: all columns right of the picture are of one color in each row.
+#[test]
+fn clamped_pictures_are_the_same_on_both_sides_and_between_their_texels() {
+    for (filter, scale) in FILTERS.into_iter().flat_map(|filter| [(filter, 1.0), (filter, 4.0)]) {
+        let mut scene = in_the_middle(scale);
+        (scene.raster.filter, scene.trace.filter) = (filter, filter);
+        let film = scene_on_cpu(&scene);
+        for row in 0..24 {
+            let away = |x: u32| (film.color(row * 24 + 23 - x) - film.color(row * 24 + 23)).length();
+            assert!((0..8.min(row)).all(|x| away(x) < 1e-3), "{filter:?}, {scale}, row {row}");
+        }
+        for method in [Method::Raster, Method::Trace] {
+            (scene.method, scene.raster.show) = (method, Show::Color);
+            holds(&scene, &format!("{filter:?}, {scale}, {method:?}"));
         }
     }
 }

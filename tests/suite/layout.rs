@@ -221,6 +221,7 @@ fn constants_are_the_same() {
         CUT_OUT,
         PLANES,
         MOST_CORNERS,
+        CLAMPED,
         NEAREST,
         BILINEAR,
         MIPMAP,

@@ -48,7 +48,7 @@ fn paint(scene: &mut Scene, dice: &mut Dice) {
     for i in 0..scene.materials.len() {
         let mut map = |texture| {
             let (scale, offset) = (dice.point(3.0).truncate(), dice.point(1.0).truncate());
-            let map = Map { texture, scale, offset, clamp: false, strength: dice.within(0.0, 3.0) };
+            let map = Map { texture, scale, offset, clamp: i == 3, strength: dice.within(0.0, 3.0) };
             (dice.below(2) == 0).then_some(map)
         };
         scene.materials[i].maps = Maps { color: map(0), normal: map(1), specular: map(2) };
@@ -166,7 +166,9 @@ fn what_a_lights_camera_does_not_see_is_lit() {
 fn planted_faults_in_shading_are_seen() {
     let faults = [
         ("shade/texture", "level.height - 1 -", "level.height + 1 -"),
-        ("shade/texture", "-size, x >= size", "-size, x > size"),
+        ("shade/texture", "-step, x >= size", "-step, x > size"),
+        ("shade/texture", "select(size, 1, clamped)", "size"),
+        ("shade/texture", "x - floor(x), select(", "x - floor(x), 1.0 - select("),
         ("shade/texture", "detail - floor(detail)", "detail - floor(detail) * 0.999"),
         ("shade/texture", "+ map.shift", "- map.shift"),
         ("raster/weights", "1.0 - at.y", "0.999 - at.y"),

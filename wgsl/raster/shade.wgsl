@@ -102,7 +102,7 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         case SHOW_DEPTH: { return vec3f(canvas.reach / (canvas.reach + sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x)); }
         case SHOW_SHADOW: { return vec3f(open); }
         case SHOW_NORMAL: { return n * 0.5 + 0.5; }
-        case SHOW_UV: { return vec3f(within(uv.x), within(uv.y), 0.0); }
+        case SHOW_UV: { return vec3f(within(uv.x, false), within(uv.y, false), 0.0); }
         case SHOW_ALBEDO: { return albedo; }
         case SHOW_AMBIENT: { return canvas.ambient; }
         case SHOW_DIFFUSE: { return diffuse * albedo; }

@@ -15,10 +15,11 @@ struct Level {
     first: u32,
     width: i32,
     height: i32,
+    clamped: bool,
 }
 
 fn level_of(map: Map, number: u32) -> Level {
-    var level = Level(map.first, i32(map.width), i32(map.height));
+    var level = Level(map.first, i32(map.width), i32(map.height), is_clamped(map));
     for (var k = 0u; k < number; k++) {
         level.first += u32(level.width * level.height);
         level.width = max(level.width / 2, 1);
@@ -27,22 +28,28 @@ fn level_of(map: Map, number: u32) -> Level {
     return level;
 }
 
+fn is_clamped(map: Map) -> bool {
+    return (map.levels & CLAMPED) != 0u;
+}
+
 // Where a coordinate lies in a picture, from 0 to 1. Where it is too large to lie anywhere, it is 0 on both sides. Bits
 // are asked, as a compiler may think that every comparison is of numbers.
-fn within(x: f32) -> f32 {
-    let u = x - floor(x);
+fn within(x: f32, clamped: bool) -> f32 {
+    let u = select(x - floor(x), select(select(0.0, x, x > 0.0), 1.0, x >= 1.0), clamped);
     return select(0.0, u, bitcast<u32>(u) <= bitcast<u32>(1.0));
 }
 
-// The picture repeats; no more than its size beyond either end. A remainder is what lavapipe has no vectors for.
-fn wrapped(x: i32, size: i32) -> i32 {
-    return x + select(select(0, -size, x >= size), size, x < 0);
+// A texel beside the picture is one of its copy, or of its edge: `x` is from -1 to `size`. A remainder is what lavapipe
+// has no vectors for.
+fn wrapped(x: i32, size: i32, clamped: bool) -> i32 {
+    let step = select(size, 1, clamped);
+    return x + select(select(0, -step, x >= size), step, x < 0);
 }
 
 // A texel by column and row from the lower left.
 fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
-    let column = wrapped(x, level.width);
-    let row = level.height - 1 - wrapped(y, level.height);
+    let column = wrapped(x, level.width, level.clamped);
+    let row = level.height - 1 - wrapped(y, level.height, level.clamped);
     let word = word_of(texels, level.first + u32(row * level.width + column));
     let bytes = vec3u(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u);
     if (decode) {
@@ -53,8 +60,8 @@ fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
 
 // Its alpha.
 fn alpha_of(level: Level, x: i32, y: i32) -> f32 {
-    let row = level.height - 1 - wrapped(y, level.height);
-    let word = word_of(texels, level.first + u32(row * level.width + wrapped(x, level.width)));
+    let row = level.height - 1 - wrapped(y, level.height, level.clamped);
+    let word = word_of(texels, level.first + u32(row * level.width + wrapped(x, level.width, level.clamped)));
     return f32(word >> 24u) / 255.0;
 }
 
@@ -77,8 +84,8 @@ fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
 // `right` and `down`: the texture coordinates one pixel further on.
 fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
-    let u = within(full.x);
-    let v = within(full.y);
+    let u = within(full.x, is_clamped(map));
+    let v = within(full.y, is_clamped(map));
     let finest = level_of(map, 0u);
     if (FILTERING == NEAREST) {
         return texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
@@ -93,11 +100,12 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
     let squares = vec2f(hold(dx.x * dx.x) + hold(dx.y * dx.y), hold(dy.x * dy.x) + hold(dy.y * dy.y));
     let bits = max(bitcast<u32>(squares.x), bitcast<u32>(squares.y));
     let stride = bitcast<f32>(clamp(bits, bitcast<u32>(1e-6), bitcast<u32>(1e12)));
-    let detail = clamp(0.5 * log2_exact(stride), 0.0, f32(map.levels - 1u));
+    let levels = map.levels & ~CLAMPED;
+    let detail = clamp(0.5 * log2_exact(stride), 0.0, f32(levels - 1u));
     let fine = u32(detail);
     let near = bilinear(level_of(map, fine), u, v, decode);
     // Past the coarsest there is nothing to blend with, and nothing left of the way there.
-    let far = bilinear(level_of(map, min(fine + 1u, map.levels - 1u)), u, v, decode);
+    let far = bilinear(level_of(map, min(fine + 1u, levels - 1u)), u, v, decode);
     return blend(near, far, detail - floor(detail));
 }
 
@@ -105,9 +113,9 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
 fn is_there(map: Map, uv: vec2f) -> bool {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     // Without a loop: a ray asks this in the midst of its own.
-    let level = Level(map.first, i32(map.width), i32(map.height));
-    let x = hold(within(full.x) * f32(map.width));
-    let y = hold(within(full.y) * f32(map.height));
+    let level = Level(map.first, i32(map.width), i32(map.height), is_clamped(map));
+    let x = hold(within(full.x, level.clamped) * f32(map.width));
+    let y = hold(within(full.y, level.clamped) * f32(map.height));
     if (FILTERING == NEAREST) {
         return alpha_of(level, i32(x), i32(y)) >= 0.5;
     }

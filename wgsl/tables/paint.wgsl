@@ -6,7 +6,8 @@ struct Map {
     first: u32,
     width: u32,
     height: u32,
-    // How many levels, each half as wide and high as the one before.
+    // How many levels, each half as wide and high as the one before; with CLAMPED where its edge goes on for ever,
+    // instead of the picture repeating.
     levels: u32,
     scale: vec2f,
     shift: vec2f,
@@ -62,6 +63,7 @@ struct Canvas {
     reach: f32,
 }
 
+const CLAMPED: u32 = 0x80000000u;
 const NEAREST: u32 = 0u;
 const BILINEAR: u32 = 1u;
 const MIPMAP: u32 = 2u;

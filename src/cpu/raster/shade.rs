@@ -103,7 +103,7 @@ fn color_at(
         }
         SHOW_SHADOW => Vec3::splat(open),
         SHOW_NORMAL => n * 0.5 + 0.5,
-        SHOW_UV => Vec3::new(within(uvs[0].x), within(uvs[0].y), 0.0),
+        SHOW_UV => Vec3::new(within(uvs[0].x, false), within(uvs[0].y, false), 0.0),
         SHOW_ALBEDO => albedo,
         SHOW_AMBIENT => canvas.ambient,
         SHOW_DIFFUSE => diffuse * albedo,

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::math::power::log2_exact;
-use crate::tables::{BILINEAR, Map, NEAREST};
+use crate::tables::{BILINEAR, CLAMPED, Map, NEAREST};
 
 /// A level of a map: its first texel and its size.
 #[derive(Debug, Clone, Copy)]
@@ -11,10 +11,12 @@ struct Level {
     first: u32,
     width: i32,
     height: i32,
+    clamped: bool,
 }
 
 fn level_of(map: &Map, number: u32) -> Level {
-    let mut level = Level { first: map.first, width: map.width as i32, height: map.height as i32 };
+    let (width, height) = (map.width as i32, map.height as i32);
+    let mut level = Level { first: map.first, width, height, clamped: is_clamped(map) };
     for _ in 0..number {
         level.first += (level.width * level.height) as u32;
         level.width = (level.width / 2).max(1);
@@ -23,19 +25,24 @@ fn level_of(map: &Map, number: u32) -> Level {
     level
 }
 
+fn is_clamped(map: &Map) -> bool {
+    map.levels & CLAMPED != 0
+}
+
 /// Where a coordinate lies in a picture, from 0 to 1. Where it is too large to lie anywhere, it is 0 on both sides.
 #[must_use]
-pub fn within(x: f32) -> f32 {
-    let u = x - x.floor();
+pub fn within(x: f32, clamped: bool) -> f32 {
+    let u = if clamped { x.clamp(0.0, 1.0) } else { x - x.floor() };
     if u.to_bits() <= 1_f32.to_bits() { u } else { 0.0 }
 }
 
-/// The picture repeats; no more than its size beyond either end.
-fn wrapped(x: i32, size: i32) -> i32 {
+/// A texel beside the picture is one of its copy, or of its edge: `x` is from -1 to `size`.
+fn wrapped(x: i32, size: i32, clamped: bool) -> i32 {
+    let step = if clamped { 1 } else { size };
     x + if x < 0 {
-        size
+        step
     } else if x >= size {
-        -size
+        -step
     } else {
         0
     }
@@ -43,8 +50,8 @@ fn wrapped(x: i32, size: i32) -> i32 {
 
 /// A texel by column and row from the lower left.
 fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
-    let column = wrapped(x, level.width);
-    let row = level.height - 1 - wrapped(y, level.height);
+    let column = wrapped(x, level.width, level.clamped);
+    let row = level.height - 1 - wrapped(y, level.height, level.clamped);
     let word = texels[level.first as usize + (row * level.width + column) as usize];
     let [red, green, blue, _] = word.to_le_bytes();
     Vec3::from_array(
@@ -55,8 +62,8 @@ fn texel(texels: &[u32], level: Level, x: i32, y: i32, decode: bool) -> Vec3 {
 
 /// Its alpha.
 fn alpha_of(texels: &[u32], level: Level, x: i32, y: i32) -> f32 {
-    let row = level.height - 1 - wrapped(y, level.height);
-    let word = texels[level.first as usize + (row * level.width + wrapped(x, level.width)) as usize];
+    let row = level.height - 1 - wrapped(y, level.height, level.clamped);
+    let word = texels[level.first as usize + (row * level.width + wrapped(x, level.width, level.clamped)) as usize];
     (word >> 24) as f32 / 255.0
 }
 
@@ -78,7 +85,7 @@ fn bilinear(texels: &[u32], level: Level, u: f32, v: f32, decode: bool) -> Vec3 
 pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], decode: bool) -> Vec3 {
     let [uv, right, down] = uvs;
     let full = uv * map.scale + map.shift;
-    let (u, v) = (within(full.x), within(full.y));
+    let (u, v) = (within(full.x, is_clamped(map)), within(full.y, is_clamped(map)));
     let finest = level_of(map, 0);
     if filtering == NEAREST {
         let (x, y) = (u * map.width as f32, v * map.height as f32);
@@ -93,10 +100,11 @@ pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], dec
     // What is not negative is in the order of its bits, and what is no number beyond all numbers.
     let bits = (dx.x * dx.x + dx.y * dx.y).to_bits().max((dy.x * dy.x + dy.y * dy.y).to_bits());
     let stride = f32::from_bits(bits.clamp(1e-6_f32.to_bits(), 1e12_f32.to_bits()));
-    let detail = (0.5 * log2_exact(stride)).clamp(0.0, (map.levels - 1) as f32);
+    let levels = map.levels & !CLAMPED;
+    let detail = (0.5 * log2_exact(stride)).clamp(0.0, (levels - 1) as f32);
     let fine = detail as u32;
     let near = bilinear(texels, level_of(map, fine), u, v, decode);
-    if fine + 1 >= map.levels {
+    if fine + 1 >= levels {
         return near;
     }
     let far = bilinear(texels, level_of(map, fine + 1), u, v, decode);
@@ -108,7 +116,8 @@ pub fn sample_map(texels: &[u32], filtering: u32, map: &Map, uvs: [Vec2; 3], dec
 pub fn is_there(texels: &[u32], filtering: u32, map: &Map, uv: Vec2) -> bool {
     let full = uv * map.scale + map.shift;
     let level = level_of(map, 0);
-    let (x, y) = (within(full.x) * map.width as f32, within(full.y) * map.height as f32);
+    let (u, v) = (within(full.x, level.clamped), within(full.y, level.clamped));
+    let (x, y) = (u * map.width as f32, v * map.height as f32);
     if filtering == NEAREST {
         return alpha_of(texels, level, x as i32, y as i32) >= 0.5;
     }

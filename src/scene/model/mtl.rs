@@ -147,10 +147,15 @@ impl Written {
         if has(Use::Specular) && !self.specular_said {
             self.material.specular = Vec3::ONE;
         }
-        // Silence would pass for glass.
+        let name = quote(self.material.name.as_bytes());
+        // Silence would pass for light.
+        if self.material.emission != Vec3::ZERO {
+            let text = format!("material {name} shines by itself (`Ke`), and is drawn as if it did not");
+            warnings.add(&self.file, self.line, text);
+        }
+        // And for glass.
         if self.material.opacity < 1.0 {
             let much = if self.material.opacity == 0.0 { "wholly" } else { "partly" };
-            let name = quote(self.material.name.as_bytes());
             let text = format!("material {name} is {much} transparent (`d` or `Tr`), and is drawn opaque");
             warnings.add(&self.file, self.line, text);
         }
