@@ -20,6 +20,7 @@ pub use moving::Moving;
 pub use rows::Growing;
 pub use save::{Error, Format, folder_of, replace, sweep, write_whole};
 pub use saved::{Saved, is_picture};
+pub(crate) use stamp::in_ascii;
 pub use stamp::stamp_of;
 pub use transfer::{Transfer, decode_hex};
 pub use watch::{Run, Share, Watch};

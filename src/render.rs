@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use crate::film::pass::{Layer, Pass};
-use crate::film::{Band, Film, Run, Watch};
+use crate::film::{Band, Film, Run, Watch, in_ascii};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{self, Gpu, Wanted};
 use crate::prepare::room;
@@ -139,7 +139,7 @@ impl Renderer {
     #[must_use]
     pub fn class(&self) -> String {
         match &self.gpu {
-            Some(gpu) if !gpu.exact() => format!("{} {}", gpu.adapter().name, gpu.adapter().driver),
+            Some(gpu) if !gpu.exact() => in_ascii(&format!("{} {}", gpu.adapter().name, gpu.adapter().driver)),
             _ => "exact".to_owned(),
         }
     }

@@ -37,7 +37,8 @@ pub fn encode(film: &Film, layers: &[Layer], known_by: &str) -> Result<Vec<u8>, 
     let channels = AnyChannels::sort(channels.into_iter().collect());
     let mut attributes = LayerAttributes::default();
     if !known_by.is_empty() {
-        attributes.other.insert(Text::from(stamp::NAME), AttributeValue::Text(Text::from(known_by)));
+        let text = Text::new_or_none(known_by).ok_or("an EXR's texts are of Latin-1 characters alone")?;
+        attributes.other.insert(Text::from(stamp::NAME), AttributeValue::Text(text));
     }
     let picture = Picture::new(size, attributes, Encoding::SMALL_LOSSLESS, channels);
     let mut bytes = Cursor::new(Vec::new());
