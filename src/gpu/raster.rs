@@ -14,7 +14,7 @@ use bytemuck::Zeroable as _;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
-use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, Tally};
+use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
 use part::{Bound, parts};
 use variant::Laces;
 
@@ -68,11 +68,15 @@ pub struct GpuRaster<'a> {
     binding: u64,
 }
 
-/// What an eye sees at most, in pixels, and what any lens sees, in tiles.
+/// What a window of any rectangle sees at most, in pixels, and what it or another lens sees, in tiles.
 fn sizes(drawing: &Drawing) -> [usize; 2] {
-    let eyes = drawing.windows(&drawing.film().map(|side| 0..side)).concat();
-    let pixels = eyes.iter().map(Lens::pixels).max().unwrap_or(0);
-    [pixels, eyes.iter().chain(&drawing.lenses).map(Lens::tiles).max().unwrap_or(0)].map(|count| count as usize)
+    let most = drawing.most.max(1);
+    let pixels = drawing.eyes.iter().map(|eye| eye.pixels().min(most)).max().unwrap_or(0);
+    // Tiles that are not whole lie along two sides of a window.
+    let sides = |eye: &Lens| eye.width.div_ceil(TILE) + eye.height.div_ceil(TILE);
+    let tiles = |eye: &Lens| eye.tiles().min(most.div_ceil(TILE * TILE) + sides(eye) + 1);
+    let tiles = drawing.eyes.iter().map(tiles).chain(drawing.lenses.iter().map(Lens::tiles)).max();
+    [pixels, tiles.unwrap_or(0)].map(|count| count as usize)
 }
 
 /// Where there are two of one stage, the first draws onto a light's image, the second onto an eye's.

@@ -52,15 +52,15 @@ impl Drawing {
         let mut all = Vec::new();
         for eyes in self.eyes.chunks(self.samples().max(1)) {
             let region = eyes[0].on_film();
-            let wide = self.most.clamp(1, eyes[0].width);
+            let [columns, rows] = [0, 1].map(|i| meet(&region[i], &rectangle[i]));
+            // As wide as the rectangle, not the region: of the one that is narrow, windows are high.
+            let wide = self.most.clamp(1, (columns.len() as u32).max(1));
             let high = (self.most / wide).max(1);
-            for top in region[1].clone().step_by(high as usize) {
-                for left in region[0].clone().step_by(wide as usize) {
-                    let window = [left..left.saturating_add(wide), top..top.saturating_add(high)];
-                    let window = [0, 1].map(|i| meet(&meet(&region[i], &window[i]), &rectangle[i]));
-                    if window.iter().all(|range| !range.is_empty()) {
-                        all.push(eyes.iter().map(|eye| eye.window(&window)).collect());
-                    }
+            for top in rows.clone().step_by(high as usize) {
+                for left in columns.clone().step_by(wide as usize) {
+                    let [right, bottom] = [left.saturating_add(wide), top.saturating_add(high)];
+                    let window = [left..right.min(columns.end), top..bottom.min(rows.end)];
+                    all.push(eyes.iter().map(|eye| eye.window(&window)).collect());
                 }
             }
         }

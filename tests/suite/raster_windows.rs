@@ -67,6 +67,29 @@ fn a_rectangle_is_what_it_is_in_the_whole() {
     }
 }
 
+/// A band of a rectangle is one window, however narrow the rectangle: what the whole film's windows are is no matter.
+#[test]
+fn windows_are_cut_from_the_rectangle() {
+    let gpu = gpu();
+    for number in 0..4 {
+        let drawing = draw(&painted(number));
+        let film = whole(&drawing);
+        for (columns, rows) in [(7..27, 2), (3..9, 9), (30..31, 23), (0..31, 5)] {
+            let drawing = Drawing { most: columns.len() as u32 * rows, ..drawing.clone() };
+            let band = [columns.clone(), 0..rows];
+            assert_eq!(drawing.windows(&band).len(), 1, "{band:?}");
+            let rectangle = [columns, 0..23];
+            let wanted = pixels(&film, &rectangle);
+            let found = piece(&drawing, &rectangle);
+            assert!(pixels(&found, &all(&found)) == wanted, "scene {number}: {band:?} on the CPU");
+            let mut stages = GpuRaster::new(&gpu, &Sources::default(), &drawing).expect("kernels");
+            let found = part(&mut stages, &drawing, &rectangle, &mut |_| ()).expect("a film");
+            assert!(pixels(&found, &all(&found)) == wanted, "scene {number}: {band:?} on the GPU");
+        }
+    }
+    assert_eq!(gpu.complaint(), None, "wgpu complained");
+}
+
 /// The ray tracer knows of no regions, and sees the same on both sides of their seam.
 #[test]
 fn regions_do_not_show() {
