@@ -2,6 +2,7 @@
 
 pub mod bvh;
 mod draw;
+mod inside;
 mod instances;
 mod leaves;
 pub mod lens;
@@ -123,6 +124,9 @@ pub fn view(scene: &Scene) -> View {
         grid: if root * root == scene.trace.samples { root } else { 0 },
         back,
         seed: scene.trace.seed,
+        inside: u32::from(inside::inside(scene)),
+        pad_a: 0,
+        pad_b: [0; 2],
     }
 }
 

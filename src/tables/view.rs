@@ -22,4 +22,10 @@ pub struct View {
     pub back: Vec3,
     /// Chooses another set of random numbers.
     pub seed: u32,
+    /// 1 if the eye is inside of glass.
+    pub inside: u32,
+    /// Nothing.
+    pub pad_a: u32,
+    /// Nothing.
+    pub pad_b: [u32; 2],
 }

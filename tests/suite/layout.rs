@@ -154,7 +154,7 @@ fn structs_are_the_same() {
         mirror!(module, Lamp { place, kind, power, lens }),
         mirror!(module, Canvas { eye, lamps, background, specular, ambient, shade, filtering, blur, show, reach }),
         mirror!(module, Print { width, height, across, down, pitch, transfer, pad }),
-        mirror!(module, View { eye, width, right, height, up, grid, back, seed }),
+        mirror!(module, View { eye, width, right, height, up, grid, back, seed, inside, pad_a, pad_b }),
     ];
     let structs = module.types.iter().filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. })).count();
     assert_eq!(mirrored.len(), structs, "a struct of wgsl/tables has no mirror here");

@@ -23,6 +23,7 @@ mod fuzz;
 mod golden;
 mod herds;
 mod hostile;
+mod inside;
 mod instances;
 mod kept;
 mod layout;

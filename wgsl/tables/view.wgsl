@@ -11,4 +11,8 @@ struct View {
     // From what is looked at to the eye: the spec's D.
     back: vec3f,
     seed: u32,
+    // 1 if the eye is inside of glass.
+    inside: u32,
+    pad_a: u32,
+    pad_b: vec2u,
 }

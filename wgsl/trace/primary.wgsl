@@ -39,6 +39,7 @@ fn primary(corner: vec2f, sample: u32, zero: u32) -> vec3f {
 // A new tree: nothing is met yet and nothing waits.
 fn seed(sample: u32, direction: vec3f) -> Path {
     return Path(
-        view.eye, NONE, direction, FAR, vec3f(1.0), 1u, vec3f(0.0), 0u, SEEK, sample, NONE, 0u, 0u, 0u, 0u, NONE,
+        view.eye, NONE, direction, FAR, vec3f(1.0), 1u, vec3f(0.0), view.inside, SEEK, sample, NONE, 0u, 0u, 0u, 0u,
+        NONE,
     );
 }

@@ -70,7 +70,11 @@ fn pixels<S: Simd>(
         let none = u32x8::splat(simd, NONE);
         let mut trees = Trees {
             rays: Rays { origin: Vec3s::splat(simd, view.eye), direction, leaves: none },
-            way: Ways { direction, weight: Vec3s::splat(simd, Vec3::ONE), inside: mask32x8::splat(simd, false) },
+            way: Ways {
+                direction,
+                weight: Vec3s::splat(simd, Vec3::ONE),
+                inside: mask32x8::splat(simd, view.inside == 1),
+            },
             depth: u32x8::splat(simd, 1),
             radiance: zero,
             active: mask32x8::from_bitmask(simd, (1 << count) - 1),

@@ -40,7 +40,7 @@ pub fn seed(view: &View, sample: u32, direction: Vec3) -> Path {
         weight: Vec3::ONE,
         depth: 1,
         radiance: Vec3::ZERO,
-        inside: 0,
+        inside: view.inside,
         state: SEEK,
         sample,
         hit: NONE,
