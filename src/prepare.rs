@@ -9,6 +9,7 @@ pub mod lens;
 mod levels;
 mod mesh;
 pub mod room;
+mod nearest;
 mod window;
 
 pub use draw::{Scenery, draw};

@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use super::lens::{Pose, orthographic, perspective};
 use super::mesh::Sheet;
+use super::nearest::nearest;
 use super::window::regions;
 use super::{filtering, pose};
 use crate::math::vector::unit;
@@ -17,6 +18,12 @@ const SHADOW_WORDS: u32 = (128 << 20) / 4;
 
 /// Pixels that are drawn at once: their sums are what every adapter binds at once.
 const MOST_PIXELS: u32 = (128 << 20) / 16;
+
+/// Where the depths of a point light begin, as a share of where they end, unless a face is nearer.
+const NEAR: f32 = 1e-3;
+
+/// The least such share. The bias shrinks with it, and must stay well above what f32 rounds off a depth.
+const LEAST_NEAR: f32 = 1e-5;
 
 /// A sphere around all that is drawn but infinite planes.
 #[derive(Debug, Clone, Copy)]
@@ -193,12 +200,19 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
             Light::Point { position, power } => (position, tables::POINT, power),
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
+        let mut bias = scene.raster.bias;
         let seen = match (light, bounds) {
             (Light::Directional { camera: Some(camera), .. }, _) => {
                 vec![view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2])]
             }
             (Light::Directional { .. }, Some(b)) => vec![beam(place, b, side)],
-            (Light::Point { .. }, Some(b)) => cube(place, b, side),
+            (Light::Point { .. }, Some(b)) => {
+                let far = place.distance(b.center) + b.radius;
+                let near = near_of(drawing, place, far);
+                // The nearer the depths begin, the less they differ far away: the bias stays as wide as it was.
+                bias *= near / (far * NEAR);
+                cube(place, [near, far], side)
+            }
             (_, None) => Vec::new(),
         };
         let room = drawing.lenses.len() + seen.len() <= MOST_LENSES as usize && !seen.is_empty();
@@ -206,7 +220,7 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
         drawing.lamps.push(Lamp { place, kind, power, lens });
         for mut lens in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
-            lens.bias = (scene.raster.bias * DEEP as f32) as u32;
+            lens.bias = (bias * DEEP as f32) as u32;
             // A texel each way, and as many more as are asked around it.
             lens.slope = 256 * (1 + scene.raster.blur);
             drawing.lenses.push(lens);
@@ -222,15 +236,23 @@ fn beam(toward: Vec3, bounds: Bounds, side: u32) -> Lens {
     orthographic(&seat, [bounds.radius; 2], [bounds.radius, bounds.radius * 3.0], [side; 2])
 }
 
+/// Where the depths of a point light begin, so that whatever is near it casts a shadow.
+fn near_of(drawing: &Drawing, eye: Vec3, far: f32) -> f32 {
+    // What is so far away lies, in the cube's corner, that much less deep; a little before it, so that it is not cut.
+    let depth = |distance: f32| distance * 0.99 / 3_f32.sqrt();
+    let usual = far * NEAR;
+    let found = nearest(drawing, eye, usual * 2.0);
+    found.map_or(usual, |distance| depth(distance).clamp(far * LEAST_NEAR, usual))
+}
+
 /// +x -x +y -y +z -z, as the shadow stage counts them.
-fn cube(eye: Vec3, bounds: Bounds, side: u32) -> Vec<Lens> {
-    let far = eye.distance(bounds.center) + bounds.radius;
+fn cube(eye: Vec3, depths: [f32; 2], side: u32) -> Vec<Lens> {
     let ways = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
     let face = |way: Vec3| {
         let helper = if way.y == 0.0 { Vec3::Y } else { Vec3::Z };
         let right = way.cross(helper);
         let axes = [right, right.cross(way), -way];
-        perspective(&Pose { eye, axes }, [1.0; 2], [far * 1e-3, far], [side; 2], [0.0; 2])
+        perspective(&Pose { eye, axes }, [1.0; 2], depths, [side; 2], [0.0; 2])
     };
     ways.map(face).to_vec()
 }

@@ -44,6 +44,7 @@ mod raster_lace;
 mod raster_mutants;
 mod raster_oracle;
 mod raster_order;
+mod raster_shadows;
 mod raster_shrink;
 mod raster_ways;
 mod raster_windows;
