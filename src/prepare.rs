@@ -8,8 +8,8 @@ mod leaves;
 pub mod lens;
 mod levels;
 mod mesh;
-pub mod room;
 mod nearest;
+pub mod room;
 mod window;
 
 pub use draw::{Scenery, draw};

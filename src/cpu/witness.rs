@@ -108,7 +108,7 @@ pub struct Texel {
     pub column: i32,
     /// From the top.
     pub row: i32,
-    /// The fragment's depth, of [`DEEP`](crate::tables::DEEP).
+    /// The fragment's depth less the lens's bias, of [`DEEP`](crate::tables::DEEP).
     pub depth: u32,
     /// Of the texels that are asked, those where nothing stands before the fragment.
     pub open: u32,

@@ -39,7 +39,7 @@ pub(super) fn caster(drawing: &Drawing, lens: &Lens, [column, row]: [u32; 2]) ->
         lamps: Vec::new(),
         texels: Vec::new(),
     };
-    let depth = seen(&alone, &Lens { bias: 0, slope: 0, ..texel }).0[0];
+    let depth = seen(&alone, &Lens { slope: 0, ..texel }).0[0];
     Some(Caster { id, depth })
 }
 

@@ -109,9 +109,9 @@ pub struct Shadow {
     pub sight: Sight,
     /// Texels along a side of the shadow map.
     pub side: u32,
-    /// The depth in the fragment's texel, bias included; nothing where nothing was drawn.
+    /// The depth in the fragment's texel, what the slope adds to it included; nothing where nothing was drawn.
     pub stored: Option<u32>,
-    /// The bias in it, constant and slope together.
+    /// What the slope adds to it.
     pub bias: Option<u32>,
     /// What the depth is of.
     pub caster: Option<Thing>,

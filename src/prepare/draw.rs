@@ -11,7 +11,7 @@ use super::window::regions;
 use super::{filtering, pose};
 use crate::math::vector::unit;
 use crate::scene::{Camera, Light, Scene, Show, Specular};
-use crate::tables::{self, CUT_OUT, Canvas, DEEP, Drawing, Lamp, Lens, MOST_LENSES, Map, NONE};
+use crate::tables::{self, CUT_OUT, Canvas, Drawing, Lamp, Lens, MOST_LENSES, Map, NONE};
 
 /// Words that all lights' depths may take together: what every adapter binds at once.
 const SHADOW_WORDS: u32 = (128 << 20) / 4;
@@ -20,9 +20,9 @@ const SHADOW_WORDS: u32 = (128 << 20) / 4;
 const MOST_PIXELS: u32 = (128 << 20) / 16;
 
 /// Where the depths of a point light begin, as a share of where they end, unless a face is nearer.
-const NEAR: f32 = 1e-3;
+const NEAR: f32 = 1e-2;
 
-/// The least such share. The bias shrinks with it, and must stay well above what f32 rounds off a depth.
+/// The least such share: the bias must stay above what f32 rounds off a depth.
 const LEAST_NEAR: f32 = 1e-5;
 
 /// A sphere around all that is drawn but infinite planes.
@@ -200,7 +200,6 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
             Light::Point { position, power } => (position, tables::POINT, power),
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
-        let mut bias = scene.raster.bias;
         let seen = match (light, bounds) {
             (Light::Directional { camera: Some(camera), .. }, _) => {
                 vec![view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2])]
@@ -208,10 +207,7 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
             (Light::Directional { .. }, Some(b)) => vec![beam(place, b, side)],
             (Light::Point { .. }, Some(b)) => {
                 let far = place.distance(b.center) + b.radius;
-                let near = near_of(drawing, place, far);
-                // The nearer the depths begin, the less they differ far away: the bias stays as wide as it was.
-                bias *= near / (far * NEAR);
-                cube(place, [near, far], side)
+                cube(place, [near_of(drawing, place, far), far], side)
             }
             (_, None) => Vec::new(),
         };
@@ -220,7 +216,7 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
         drawing.lamps.push(Lamp { place, kind, power, lens });
         for mut lens in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
-            lens.bias = (bias * DEEP as f32) as u32;
+            lens.bias *= scene.raster.bias * bounds.map_or(0.0, |b| 2.0 * b.radius);
             // A texel each way, and as many more as are asked around it.
             lens.slope = 256 * (1 + scene.raster.blur);
             drawing.lenses.push(lens);

@@ -33,7 +33,7 @@ fn lens(size: [u32; 2], [x, y, z, w]: [Vec4; 4]) -> Lens {
         columns: width.div_ceil(TILE),
         cull: 0,
         zero: 0,
-        bias: 0,
+        bias: 0.0,
         slope: 0,
         guard_x: REACH * 2.0 / width as f32,
         guard_y: REACH * 2.0 / height as f32,
@@ -56,7 +56,9 @@ pub fn perspective(pose: &Pose, half: [f32; 2], [near, far]: [f32; 2], size: [u3
     let x = row(right, pose.eye, 1.0 / f64::from(half[0]), 0.0) + w * (shift[0] * 2.0 / size[0] as f32);
     let y = row(up, pose.eye, 1.0 / f64::from(half[1]), 0.0) - w * (shift[1] * 2.0 / size[1] as f32);
     // The spec's projection, with z from 0 to w instead of from -w to w.
-    lens(size, [x, y, row(back, pose.eye, -share, -near * share), w])
+    let z = row(back, pose.eye, -share, -near * share);
+    // Clip z is share * (w - near): a way along the axis shows in z / w by near * share / w^2.
+    Lens { bias: (near * share) as f32, ..lens(size, [x, y, z, w]) }
 }
 
 /// A box: `half` is half its size, across and up.
@@ -66,5 +68,6 @@ pub fn orthographic(pose: &Pose, half: [f32; 2], [near, far]: [f32; 2], size: [u
     let deep = 1.0 / (f64::from(far) - f64::from(near));
     let x = row(right, pose.eye, 1.0 / f64::from(half[0]), 0.0);
     let y = row(up, pose.eye, 1.0 / f64::from(half[1]), 0.0);
-    lens(size, [x, y, row(back, pose.eye, -deep, -f64::from(near) * deep), Vec4::W])
+    let z = row(back, pose.eye, -deep, -f64::from(near) * deep);
+    Lens { bias: deep as f32, ..lens(size, [x, y, z, Vec4::W]) }
 }

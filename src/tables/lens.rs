@@ -26,8 +26,9 @@ pub struct Lens {
     pub cull: u32,
     /// Zero, which no compiler can know: what floats are fenced with.
     pub zero: u32,
-    /// Added to every depth.
-    pub bias: u32,
+    /// How much farther along the lens's axis than its caster a point may lie and be lit all the same, in clip z where `w`
+    /// is 1; of an eye, a way of length one.
+    pub bias: f32,
     /// Added to every depth for each unit that it climbs from pixel to pixel, in 1/256.
     pub slope: u32,
     /// How far x may be from 0, in w, before a corner is out of fixed-point reach.

@@ -9,7 +9,7 @@ use twinlight::gpu::{Error, Gpu, GpuRaster, Room, Variant};
 use twinlight::math::Vec3;
 use twinlight::prepare::lens::{Pose, perspective};
 use twinlight::raster::{Raster, draw};
-use twinlight::tables::{Canvas, DEEP, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint, Piece, Vertex};
+use twinlight::tables::{Canvas, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint, Piece, Vertex};
 
 use super::raster_shrink::{shrink, text};
 use super::{Dice, gpu};
@@ -55,10 +55,10 @@ pub(super) fn random_drawing(number: u32) -> Drawing {
     lens.cull = number % 2;
     lens.small = [16, 1, 64, 5][dice.below(4)];
     if number.is_multiple_of(3) {
-        (lens.bias, lens.slope) = (512, 200);
+        lens.slope = 200;
     } else if number.is_multiple_of(7) {
         // More than there is of depth.
-        (lens.bias, lens.slope) = (DEEP, 2048);
+        lens.slope = 1 << 15;
     }
     Drawing {
         eyes: vec![lens],

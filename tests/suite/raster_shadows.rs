@@ -1,10 +1,9 @@
-//! What is near a point light casts a shadow, as the ray tracer has it.
+//! Shadows that are drawn are where the ray tracer has them, near a light and far from it.
 
 use twinlight::cpu::first::first;
 use twinlight::math::Vec3;
-use twinlight::prepare::{draw, prepare};
-use twinlight::scene::{Light, Method, Scene, Show, Sphere, Triangle};
-use twinlight::tables::DEEP;
+use twinlight::prepare::prepare;
+use twinlight::scene::{Camera, Light, Method, Plane, Scene, Show, Sphere, Triangle};
 
 use super::{root, scene_on_cpu, small};
 
@@ -46,11 +45,71 @@ fn what_is_near_a_point_light_casts_a_shadow() {
     }
 }
 
+/// A floor with cubes under a lamp that is high above it, seen from the side.
+fn cubes() -> Scene {
+    let mut scene = small(&root().join("scenes/stones.toml"), [81, 61], 1);
+    (scene.method, scene.raster.show, scene.raster.shadow) = (Method::Raster, Show::Shadow, 0.0);
+    scene.raster.shadow_size = 1024;
+    (scene.spheres, scene.meshes) = (Vec::new(), Vec::new());
+    scene.planes = vec![Plane { point: Vec3::ZERO, normal: Vec3::Y, material: 0, tile: 1.0 }];
+    let cube = |[x, z]: [f32; 2]| {
+        let corner = |i: usize| {
+            let side = |bit: usize| if i >> bit & 1 == 1 { 1.0 } else { -1.0 };
+            Vec3::new(x + side(0), 1.0 + side(1), z + side(2))
+        };
+        let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+        let halves = sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+        let face =
+            move |corners: [usize; 3]| Triangle { vertices: corners.map(corner), material: 0, uvs: Triangle::UVS };
+        halves.map(face).collect::<Vec<_>>()
+    };
+    scene.triangles = [[-3.0, 0.0], [3.0, 3.0], [3.0, -3.0], [-8.0, 0.0], [8.0, -4.0]].map(cube).concat();
+    scene.lights = vec![Light::Point { position: Vec3::new(3.0, 10.0, 0.0), power: Vec3::ONE }];
+    scene.camera.position = Vec3::new(0.0, 12.0, 16.0);
+    scene.camera.look_at = Vec3::new(0.0, 0.5, 0.0);
+    scene.camera.fov = 0.7;
+    scene
+}
+
+/// Of all pixels, the share where drawn and traced light differ, and that where the traced is less than half.
+fn apart(scene: &Scene) -> [f32; 2] {
+    let film = scene_on_cpu(scene);
+    let [width, height] = scene.film.size;
+    let traced = first(&prepare(scene), 0..width, 0..height);
+    let shares = |of: &dyn Fn(usize) -> bool| traced.iter().enumerate().filter(|(i, _)| of(*i)).count() as f32;
+    let drawn = |i: usize| film.color(i as u32).x;
+    let differ = shares(&|i| (drawn(i) > 0.5) != (traced[i].shadow > 0.5));
+    let dark = shares(&|i| traced[i].shadow < 0.5);
+    [differ, dark].map(|count| count / traced.len() as f32)
+}
+
 #[test]
-fn the_bias_is_as_it_was_unless_something_is_near() {
-    let bias = |roofs: &[f32]| draw(&lit(roofs)).lenses[0].bias;
-    let usual = (lit(&[]).raster.bias * DEEP as f32) as u32;
-    assert_eq!([bias(&[]), bias(&[0.45])], [usual; 2]);
-    assert!((usual / 5..usual / 2).contains(&bias(&[0.1])), "{} of {usual}", bias(&[0.1]));
-    assert!((usual / 101..usual / 99).contains(&bias(&[1e-6])), "{} of {usual}", bias(&[1e-6]));
+fn shadows_of_any_light_are_where_the_ray_tracer_has_them() {
+    let mut scene = cubes();
+    let looking = |position: Vec3| Camera { position, look_at: Vec3::ZERO, ..scene.camera.clone() };
+    let [near, far] = [looking(Vec3::new(4.0, 14.0, 4.0)), looking(Vec3::new(12.0, 44.0, 12.0))];
+    let toward = Vec3::new(12.0, 44.0, 12.0).normalize();
+    let seen = |camera: &Camera, fov: f32| Camera { near: 0.1, far: 1000.0, fov, ..camera.clone() };
+    let lights = [
+        scene.lights[0].clone(),
+        Light::Point { position: Vec3::new(-20.0, 40.0, 9.0), power: Vec3::ONE },
+        Light::Directional { toward, power: Vec3::ONE, camera: None },
+    ];
+    for light in lights {
+        scene.lights = vec![light.clone()];
+        let [differ, dark] = apart(&scene);
+        assert!(dark > 0.01, "{dark} lies in shadow of {light:?}");
+        assert!(differ < 0.02, "{differ} differs, {light:?}");
+    }
+    // A light's own camera sees from one point, so its shadows are those of a lamp there.
+    for (camera, fov) in [(near, 1.4), (far, 0.6)] {
+        let camera = seen(&camera, fov);
+        let power = Vec3::ONE;
+        scene.lights = vec![Light::Point { position: camera.position, power }];
+        let lamp = scene_on_cpu(&scene);
+        scene.lights = vec![Light::Directional { toward, power, camera: Some(camera) }];
+        let seen = scene_on_cpu(&scene);
+        let other = (0..lamp.pixels()).filter(|&p| (lamp.color(p).x > 0.5) != (seen.color(p).x > 0.5)).count();
+        assert!(other * 50 < lamp.pixels() as usize, "{other} of {} pixels", lamp.pixels());
+    }
 }

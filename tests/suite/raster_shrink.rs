@@ -41,7 +41,7 @@ fn smaller(drawing: &Drawing) -> Vec<Drawing> {
         sized(half(lens.width), half(lens.height)),
         sized(half(lens.width), lens.height),
         sized(lens.width, half(lens.height)),
-        Lens { bias: 0, slope: 0, ..lens },
+        Lens { slope: 0, ..lens },
         Lens { cull: 0, ..lens },
     ];
     all.extend(lenses.into_iter().filter(|l| *l != lens).map(|l| Drawing { eyes: vec![l], ..drawing.clone() }));
@@ -73,8 +73,8 @@ fn with_faces(drawing: &Drawing, faces: &[Face]) -> Drawing {
 
 /// All that a person needs to draw it by hand.
 pub(super) fn text(drawing: &Drawing) -> String {
-    let Lens { x, y, z, w, width, height, cull, small, bias, slope, .. } = drawing.eyes[0];
-    let mut text = format!("{width} x {height} pixels, small {small}, cull {cull}, bias {bias}, slope {slope}\n");
+    let Lens { x, y, z, w, width, height, cull, small, slope, .. } = drawing.eyes[0];
+    let mut text = format!("{width} x {height} pixels, small {small}, cull {cull}, slope {slope}\n");
     let _ = writeln!(text, "x {x}, y {y}, z {z}, w {w}");
     for (i, face) in drawing.faces.iter().enumerate() {
         let corners = [face.a, face.b, face.c].map(|i| drawing.vertices[i as usize].position.to_array());

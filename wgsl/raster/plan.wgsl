@@ -102,7 +102,7 @@ fn nears_of(p: vec3i, q: vec3i, r: vec3i, size: f32, origin: vec2i) -> Nears {
     let z = p.z - back + zx * (origin.x - whole.x) + zy * (origin.y - whole.y);
     let steep = min(u32(abs(zx)) + u32(abs(zy)), STEEPEST);
     // At most as much as there is of depth, so that nearness stays below zero.
-    let bias = min(lens.bias + (steep >> 8u) * lens.slope, DEEP - 1u);
+    let bias = min((steep >> 8u) * lens.slope, DEEP - 1u);
     let none = bitcast<i32>(NO_DEPTH - bias);
     return Nears(-zx, -zy, none - z, none - max(p.z, max(q.z, r.z)), none - min(p.z, min(q.z, r.z)));
 }

@@ -23,7 +23,11 @@ fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
     return lamp.lens + select(4u, 5u, way.z < 0.0);
 }
 
-// Depths are compared as they were drawn, in integers; the bias is in the drawn ones.
+// What f32 rounds off two depths near one.
+const ROUNDED: f32 = 2.3841858e-7;
+
+// Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
+// taken from the point's: a way along the lens's axis, of which far depths show less by the square of their distance.
 fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     if (lamp.lens == NONE) {
         return 1.0;
@@ -43,7 +47,8 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let height = i32(film.y);
     let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
     let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
-    let depth = u32(min(hold(z / w), 1.0) * f32(DEEP));
+    let bias = max(hold(bitcast<f32>(texel(lenses, by + 5u).z) / hold(w * w)), ROUNDED);
+    let depth = u32(clamp(hold(z / w) - bias, 0.0, 1.0) * f32(DEEP));
     var open = 0;
     for (var j = -BLUR; j <= BLUR; j++) {
         for (var i = -BLUR; i <= BLUR; i++) {

@@ -15,8 +15,9 @@ struct Lens {
     cull: u32,
     // Zero, which no compiler can know: what floats are fenced with.
     zero: u32,
-    // Added to every depth.
-    bias: u32,
+    // How much farther along the lens's axis than its caster a point may lie and be lit all the same, in clip z where w
+    // is 1; of an eye, a way of length one.
+    bias: f32,
     // Added to every depth for each unit that it climbs from pixel to pixel, in 1/256.
     slope: u32,
     // How far x and y may be from 0, in w, before a corner is out of fixed-point reach.

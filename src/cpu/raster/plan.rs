@@ -115,7 +115,7 @@ pub fn nears_of(lens: &Lens, [p, q, r]: [IVec3; 3], size: f32, origin: IVec2) ->
     let z = z.wrapping_add(zx.wrapping_mul(origin.x - (x >> 8))).wrapping_add(zy.wrapping_mul(origin.y - (y >> 8)));
     let steep = (zx.unsigned_abs() + zy.unsigned_abs()).min(STEEPEST);
     // At most as much as there is of depth, so that nearness stays below zero.
-    let bias = (lens.bias + (steep >> 8) * lens.slope).min(DEEP - 1);
+    let bias = ((steep >> 8) * lens.slope).min(DEEP - 1);
     let none = (NO_DEPTH - bias) as i32;
     Nears {
         x: -zx,

@@ -24,7 +24,11 @@ fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
     lamp.lens + 4 + u32::from(way.z < 0.0)
 }
 
-/// Depths are compared as they were drawn, in integers; the bias is in the drawn ones.
+/// What f32 rounds off two depths near one.
+const ROUNDED: f32 = 2.384_185_8e-7;
+
+/// Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
+/// taken from the point's: a way along the lens's axis, of which far depths show less by the square of their distance.
 #[must_use]
 pub fn reaches(
     lenses: &[Lens],
@@ -48,7 +52,8 @@ pub fn reaches(
     let (width, height) = (lens.width as i32, lens.height as i32);
     let column = ((c.x / c.w * 0.5 + 0.5) * width as f32).floor() as i32;
     let row = ((0.5 - c.y / c.w * 0.5) * height as f32).floor() as i32;
-    let depth = ((c.z / c.w).min(1.0) * DEEP as f32) as u32;
+    let bias = (lens.bias / (c.w * c.w)).max(ROUNDED);
+    let depth = ((c.z / c.w - bias).clamp(0.0, 1.0) * DEEP as f32) as u32;
     let blur = blur as i32;
     let mut open = 0;
     for j in -blur..=blur {

@@ -45,7 +45,11 @@ fn seen(page: &mut Page<'_, '_>, seen: &Seen) -> fmt::Result {
     page.row("Z of A, B, C", &numbers(&z), "clip")?;
     page.row("alpha beta gamma", &vector(told.weights), "weights")?;
     page.row("Z", &numbers(&[f64::from(seen.z)]), "z")?;
-    page.row("depth", &format!("{:>12}   0 is the near plane, 1 the far one", depth(seen.depth)), "depth")?;
+    page.row(
+        "depth less bias",
+        &format!("{:>12}   0 is the near plane, 1 the far one", depth(seen.depth)),
+        "depth",
+    )?;
     page.row("point", &vector(told.point), "point")?;
     page.row("u, v", &numbers(&told.uv.to_array().map(f64::from)), "uv")?;
     maps(page, &seen.maps, seen.tangents)?;
@@ -100,7 +104,7 @@ fn shadow(page: &mut Page<'_, '_>, shadow: &Shadow) -> fmt::Result {
                 if texel.depth <= stored { "nothing is nearer: lit" } else { "something is nearer: shadowed" };
             let figures = format!("{:>12}   {verdict}", depth(stored));
             page.row("depth stored there", &figures, "texel")?;
-            page.row("  bias in it", &format!("{:>12}", depth(bias)), "")?;
+            page.row("  of its slope", &format!("{:>12}", depth(bias)), "")?;
             page.row("  of", &thing(caster), "")?;
         }
         _ => page.row("depth stored there", "nothing was drawn: lit", "texel")?,

@@ -13,14 +13,13 @@ pub struct Raster {
     /// Samples a pixel, on an n x n grid: a square number. 4 unless given.
     pub samples: At<Samples>,
     /// Width and height of a light's shadow map, in texels; halved while all lights' together need more than 128
-    /// MiB. 2048 unless given. A point light has six, whose depths begin at a thousandth of the distance to the scene's
+    /// MiB. 2048 unless given. A point light has six, whose depths begin at a hundredth of the distance to the scene's
     /// far side, or nearer where something is: down to a hundred thousandth of it, before which nothing casts a shadow.
     pub shadow_size: ShadowSize,
     /// What a light still counts for where it is shadowed. 0.3 unless given.
     pub shadow: Weight,
-    /// How much deeper than its caster a point must lie to be shadowed, as a share of the light's depth, beside the
-    /// part that follows from the slope by itself. 0.0005 unless given. A point light's shrinks as its depths begin
-    /// nearer, and so stays as wide as it was.
+    /// How much farther from the light than its caster a point must lie to be shadowed, as a share of the scene's size
+    /// without infinite planes, beside the part that follows from the slope by itself. 0.0005 unless given.
     pub bias: Weight,
     /// Texels around a point's own that are asked for its shadow, in each direction: soft edges. 1 unless given.
     pub blur: Blur,
