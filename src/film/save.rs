@@ -25,13 +25,18 @@ pub enum Error {
         why: String,
     },
     /// The folder or disk refused.
-    #[error("{}: cannot write: {source} (a picture that stood here before is untouched)", path.display())]
+    #[error("{}: cannot write: {} (a picture that stood here before is untouched)", path.display(), why(path, source))]
     Write {
         /// The file that was to be written.
         path: PathBuf,
         /// What the system says.
         source: std::io::Error,
     },
+}
+
+fn why(path: &Path, source: &std::io::Error) -> String {
+    let folder = folder_of(path);
+    if folder.is_dir() { source.to_string() } else { format!("there is no folder {}", folder.display()) }
 }
 
 /// A picture format that we write.

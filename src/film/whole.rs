@@ -27,12 +27,23 @@ struct Inner {
     refused: Option<std::io::Error>,
 }
 
+/// Where a name leads: a link stays, and what it leads to is replaced.
+fn followed(target: &Path) -> PathBuf {
+    let Ok(next) = target.read_link() else { return target.to_owned() };
+    // A link to nothing leads to where there will be something.
+    target.canonicalize().unwrap_or_else(|_| folder_of(target).join(next))
+}
+
 impl Whole {
     /// Begins a file; what stands there stays until it is whole.
     pub(super) fn begin(target: &Path) -> Result<Self, Error> {
+        let target = &followed(target);
         let begin = || {
             if target.is_dir() {
                 return Err(std::io::Error::other("a folder has this name"));
+            }
+            if target.exists() && !target.is_file() {
+                return Err(std::io::Error::other("a pipe or a device has this name; -o - writes to stdout"));
             }
             let mut builder = tempfile::Builder::new();
             builder.prefix(PREFIX).suffix(SUFFIX);
