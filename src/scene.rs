@@ -15,6 +15,7 @@ pub mod model;
 mod place;
 mod resolve;
 mod same;
+mod size;
 mod source;
 pub mod value;
 

@@ -87,7 +87,8 @@ impl Work {
             Method::Raster => {
                 let drawing = draw(scene);
                 let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
-                if bare > 0 && !drawing.faces.is_empty() {
+                // Where there is nothing to cast them there are no shadow maps either.
+                if bare > 0 && drawing.lenses.len() + 6 > MOST_LENSES as usize {
                     let lights = if bare == 1 { "light casts" } else { "lights cast" };
                     notes.push(format!(
                         "{bare} {lights} no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \

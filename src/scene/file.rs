@@ -135,7 +135,8 @@ impl Default for Film {
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Trace {
-    /// Samples a pixel. A square number lies on the spec's n x n grid: 16 is its 4 x 4. 16 unless given.
+    /// Samples a pixel. A square number lies on the spec's n x n grid: 16 is its 4 x 4. As in the spec (2.2), each lies at
+    /// the lower left of its cell, where those that are drawn lie in the middle. 16 unless given.
     pub samples: Samples,
     /// How many rays in a row, the first one counted. 6 unless given.
     pub depth: Depth,

@@ -17,6 +17,7 @@ mod budget;
 pub mod bump;
 mod confined;
 mod error;
+mod far;
 mod find;
 pub mod lines;
 mod map;

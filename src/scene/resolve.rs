@@ -12,13 +12,13 @@ use glam::{Vec2, Vec3};
 use super::file::{self, File};
 use super::maps::{Pictures, Read};
 use super::model::{Model, read_model};
+use super::size::fits;
 use super::source::{Models, Reach};
 use super::value::At;
 use super::{
     Camera, Error, FilmSettings, Instance, Light, Mesh, Plane, RasterSettings, Scene, Show, Sphere, TraceSettings,
     Triangle,
 };
-use crate::film::Film;
 
 pub(super) struct Resolver<'a> {
     /// What the text is called: meshes are looked for beside it.
@@ -218,22 +218,4 @@ impl Resolver<'_> {
         };
         self.refuse(name, &right)
     }
-}
-
-/// The fewest rows that a film has room for.
-const LEAST_ROWS: u32 = 64;
-
-/// Whether a film's pixels can be counted, and some rows of it fit into the memory that may be taken.
-pub(super) fn fits(size: [u32; 2], reach: &Reach) -> Result<(), Error> {
-    const MIB: u64 = 1 << 20;
-    if u64::from(size[0]) * u64::from(size[1]) >= 1 << 30 {
-        return Err(Error::Pixels(size));
-    }
-    // What does not fit at once is made in bands.
-    let needed = Film::bytes(size[0], size[1].min(LEAST_ROWS));
-    let most = reach.most();
-    if needed > most {
-        return Err(Error::Memory { size, needed: needed.div_ceil(MIB), most: most / MIB });
-    }
-    Ok(())
 }

@@ -18,7 +18,7 @@ use super::file::{Animation, File};
 use super::maps::Read;
 use super::model::{Confined, Limits, Model, Refusal};
 use super::place::{Place, moved};
-use super::resolve::{Resolver, fits};
+use super::resolve::Resolver;
 use super::{Error, Scene};
 
 /// The longest scene text; it is read whole.
@@ -224,7 +224,9 @@ impl Source {
                 set.split_once('=').ok_or_else(|| refuse("what is set is written as camera.fov=40".to_owned()))?;
             let start = from + set.len() - value.trim_start().len();
             let place = Place::parse(place).map_err(&refuse)?;
-            let value = DeValue::parse(value.trim()).map_err(wrong(start))?;
+            let value = value.trim();
+            // A shell takes quotes away: what is a word, a name or a color, and no TOML, is text.
+            let value = DeValue::parse(value).or_else(|why| as_text(value).ok_or(why)).map_err(wrong(start))?;
             let value = moved(value, &|span| span.start + start..span.end + start);
             place.set(&mut document, value).map_err(&refuse)?;
             from += set.len() + 1;
@@ -280,6 +282,13 @@ pub fn parse(text: &str, name: &Path) -> Result<Scene, Error> {
     Source::written(text.to_owned(), name, &[], &Reach::default())?.scene(1)
 }
 
+/// A word without its quotes.
+fn as_text(value: &str) -> Option<toml::Spanned<DeValue<'_>>> {
+    let first = value.starts_with(|c: char| c.is_ascii_alphabetic() || c == '#');
+    let word = first && value.chars().all(|c| c.is_ascii_alphanumeric() || "#_-./".contains(c));
+    word.then(|| toml::Spanned::new(0..value.len(), DeValue::String(value.into())))
+}
+
 fn read(path: &Path) -> Result<String, Error> {
     let failed = |why: String| Error::Read { path: path.to_owned(), why };
     let about = fs::metadata(path).map_err(|e| failed(e.to_string()))?;
@@ -298,24 +307,4 @@ fn read(path: &Path) -> Result<String, Error> {
         let line = error.as_bytes()[..at].split(|&b| b == b'\n').count();
         failed(format!("line {line} is not UTF-8 text; save it as UTF-8"))
     })
-}
-
-impl Scene {
-    /// Another size of film, where it fits into memory.
-    ///
-    /// # Errors
-    /// [`Error::Memory`] if it does not.
-    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
-        self.resize_within(size, &Reach::default())
-    }
-
-    /// Another size of film, where it fits into what may be taken.
-    ///
-    /// # Errors
-    /// [`Error::Memory`] if it does not, and [`Error::Pixels`].
-    pub fn resize_within(&mut self, size: [u32; 2], reach: &Reach) -> Result<(), Error> {
-        fits(size, reach)?;
-        self.film.size = size;
-        Ok(())
-    }
 }

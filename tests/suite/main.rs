@@ -14,6 +14,7 @@ mod cli_bands;
 mod cli_batch;
 mod cli_explain;
 mod cli_parts;
+mod cli_words;
 mod compare;
 mod coordinates;
 mod explain;

@@ -70,7 +70,8 @@ pub(crate) struct Job {
     /// Width and height in pixels, as 800x600 [default: the scene's].
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
-    /// Samples a pixel; a square number lies on an n x n grid: 16 is 4 x 4 [default: the scene's].
+    /// Samples a pixel; a square number lies on an n x n grid: 16 is 4 x 4. The rasterizer takes the next square number
+    /// below, 256 at most [default: the scene's].
     #[arg(long, value_name = "N", value_parser = samples)]
     pub(crate) samples: Option<u32>,
     /// Rays in a row, the first one counted [default: the scene's].

@@ -107,6 +107,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     {
         return Err(Failure::Usage("passes go with whole pictures in files".to_owned()));
     }
+    let mut passes = arguments.passes.iter();
+    while let Some(pass) = passes.next() {
+        if passes.as_slice().contains(pass) {
+            return Err(Failure::Usage(format!("--passes names {} twice", pass.name())));
+        }
+    }
     let stop = Stop::new(arguments.deadline)?;
     // One wrong scene does not cost the others their pictures.
     let mut first = None;

@@ -73,6 +73,7 @@ pub enum Behavior {
     Mirror,
     /// Anywhere in the hemisphere around the mirror direction, tinted.
     Diffuse,
-    /// In the mirror direction, and refracted through the surface.
+    /// In the mirror direction, and refracted through the surface into a body: closed, and none within another. No
+    /// light is asked inside of it, so that behind a single pane, or below a plane, all is dark.
     Glass,
 }

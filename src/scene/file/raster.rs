@@ -10,7 +10,7 @@ use crate::scene::value::{At, Blur, Color, Length, Position, Samples, ShadowSize
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Raster {
-    /// Samples a pixel, on an n x n grid: a square number. 4 unless given.
+    /// Samples a pixel, on an n x n grid: a square number, 256 at most. 4 unless given.
     pub samples: At<Samples>,
     /// Width and height of a light's shadow map, in texels; halved while all lights' together need more than 128
     /// MiB. 2048 unless given. A point light has six, whose depths begin at a hundredth of the distance to the scene's

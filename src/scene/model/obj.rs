@@ -11,6 +11,7 @@ use std::io::Read;
 use glam::{Vec2, Vec3};
 
 use super::budget::{Budget, Limits, Spent};
+use super::far::told_apart;
 use super::lines::{Line, LineError, Lines, Words, number, quote, text};
 use super::polygon::Cutter;
 use super::{Corner, Error, Triangle, Warnings};
@@ -262,6 +263,9 @@ impl<'a> Parser<'a> {
             if !position.is_finite() {
                 *position = Vec3::ZERO;
             }
+        }
+        if let Some(sentence) = told_apart(&mesh.positions) {
+            self.warnings.add(self.file, 0, sentence);
         }
         let mut lost = 0_u64;
         for uv in &mut mesh.uvs {
