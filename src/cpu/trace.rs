@@ -203,7 +203,9 @@ impl Trace for CpuTrace<'_> {
                     };
                     let mut end = from;
                     lanes::few::few(tables, &mut end, &slice, stacks, film, &mut status);
-                    paths.iter_mut().for_each(|path| path.sample = end);
+                    for path in paths.iter_mut() {
+                        path.sample = end;
+                    }
                     // A sample of more turns than a slice has is put down and gone on with, pixel by pixel.
                     if end > from || from >= slice.samples {
                         continue;
