@@ -1,4 +1,5 @@
-// The peer of `benches/bvh.rs`: Embree's single rays. Its interface is declared here by hand, as its wheel has no headers.
+// The peer of `benches/bvh/main.rs`: Embree's single rays. Its interface is declared here by hand, as its wheel has no
+// headers.
 //
 // embree-rays MESH THREADS QUALITY FLAGS [RAYS...]: builds, says how long that took, and then, for each number that it
 // reads, sends the rays of that file through the tree and says how long that took and what they met.

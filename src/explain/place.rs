@@ -27,7 +27,7 @@ pub const DRAWN: Places = &[
     ("texel", "1.2.3 Shadow mapping"),
     ("share", "1.2.3 Shadow mapping"),
     ("diffuse", "I_diffuse, 1.2.3"),
-    ("phong", "I_specular, 1.2.3"),
+    ("phong", "1.2.3 Illustration"),
     ("ambient", "Ambient, 1.2.3"),
     ("color", "color, 1.2.3"),
 ];

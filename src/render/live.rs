@@ -28,10 +28,10 @@ const PORTION: Duration = Duration::from_millis(20);
 /// Whose kernels or twins do the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum Side {
-    /// The GPU's.
+    /// On the GPU.
     #[default]
     Gpu,
-    /// The CPU's.
+    /// On the CPU.
     Cpu,
 }
 

@@ -1,4 +1,4 @@
-// directions at a point -> the spec's diffuse and specular terms (1.2.3, "Illumination")
+// directions at a point -> the spec's diffuse and specular terms (1.2.3, "Illustration")
 #import "math/power.wgsl"
 #import "math/vector.wgsl"
 #import "tables/settings.wgsl"

@@ -11,7 +11,7 @@ struct Settings {
     specular: u32,
     // The lower corner of all that lies below nodes.
     low: vec3f,
-    // A path whose weight falls below this is not followed.
+    // A path whose weight is not above this is not followed.
     cutoff: f32,
     // The upper corner.
     high: vec3f,

@@ -2,7 +2,7 @@
 #import "tables/leaf.wgsl"
 #import "trace/aim.wgsl"
 
-// The positive root nearest to the eye, or FAR.
+// Nothing is met behind a ray.
 fn ahead(t: f32) -> f32 {
     return select(FAR, t, t > 0.0);
 }

@@ -17,7 +17,7 @@ fn place(sample: u32) -> vec2f {
         f32((sample * 3242174889u) >> 8u) * 5.9604645e-8,
         f32((sample * 2447445414u) >> 8u) * 5.9604645e-8,
     );
-    // No branch: see FILTERING.
+    // No branch: see FILTERING in shade/texture.
     return select(in_sequence, on_grid, view.grid > 0u);
 }
 
@@ -27,7 +27,7 @@ fn corner(pixel: u32) -> vec2f {
     return vec2f(vec2u(pixel - row * view.width, view.height - 1u - row));
 }
 
-// Spec 2.2, with the film plane at distance one and rows counted from the top.
+// Spec 2.2, with the film plane at distance one. `corner`: a pixel's column, and its row from the bottom.
 // `zero`: see math/fence.
 fn primary(corner: vec2f, sample: u32, zero: u32) -> vec3f {
     let at = place(sample);

@@ -7,7 +7,7 @@ use twinlight::explain::Explainer;
 
 use crate::job::{Failure, Job, say};
 
-/// Names of fields, as a script asks for them; `tests/suite/explain.rs` holds it to what is printed.
+/// Names of fields, as a script asks for them; `tests/suite/cli_explain.rs` holds it to what is printed.
 pub(crate) const SHAPE: &str = "\
 Examples:
   twinlight explain scenes/bust.toml --pixel 400,300

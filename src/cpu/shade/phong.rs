@@ -1,4 +1,4 @@
-//! directions at a point -> the spec's diffuse and specular terms (1.2.3, "Illumination")
+//! directions at a point -> the spec's diffuse and specular terms (1.2.3, "Illustration")
 
 use glam::Vec3;
 
