@@ -24,9 +24,9 @@ pub(crate) struct Arguments {
     pub(crate) job: Job,
     #[command(flatten)]
     pub(crate) keep: Keep,
-    /// The picture: .png, .exr (linear, in full precision), .tga or .ppm, `-` for a PNG on stdout, or a folder. {scene} and {frame:4} or #### stand for
-    /// the scene's name and the frame's number; several frames in one .png become an animated picture [default:
-    /// {scene}.png, or {scene}-{frame:4}.png].
+    /// The picture: .png, .exr (linear, in full precision), .tga or .ppm, `-` for a PNG on stdout, or a folder. {scene}
+    /// and {frame:4} or #### stand for the scene's name and the frame's number; several frames in one .png become an
+    /// animated picture [default: {scene}.png, or {scene}-{frame:4}.png].
     #[arg(short, long, value_name = "FILE")]
     output: Option<String>,
     /// Which frames: 7, 1-240, 1..240, 1-240:2 or 1,5,10-20 [default: all of the animation].
@@ -38,15 +38,16 @@ pub(crate) struct Arguments {
     /// More than colors: layers of an .exr, and for other formats pictures beside the first, as room.depth.png.
     #[arg(long, value_name = "PASS,...", value_delimiter = ',')]
     pub(crate) passes: Vec<Pass>,
-    /// Some of each pixel's samples alone, into a .part that `twinlight merge` puts together with the others: 0..64.
+    /// Some of each pixel's samples alone, into a .part that `twinlight merge` puts together with the others: 0..64. It
+    /// begins and ends at multiples of 64, or at the last sample; the ray tracer's alone.
     #[arg(long, value_name = "A..B", value_parser = samples)]
     pub(crate) sample_range: Option<Range<u32>>,
-    /// As many samples as there is time for, one of every pixel at least: 90, 90s, 15m or 1.5h for each frame; --samples
-    /// is the most of them [default: all samples, however long].
+    /// As many samples as there is time for, one of every pixel at least: 90, 90s, 15m or 1.5h for each frame;
+    /// --samples is the most of them. The ray tracer's alone [default: all samples, however long].
     #[arg(long, value_name = "TIME", value_parser = time, conflicts_with = "sample_range")]
     pub(crate) time: Option<Duration>,
-    /// Until the error of a tile of 16 x 16 pixels, as its samples tell, is below this share of full white; 0.01 is
-    /// fine. 16 samples at least; --samples is the most.
+    /// Until the error of a tile of 16 x 16 pixels, estimated from its samples, is below this share of full white; 0.01
+    /// is fine. 16 samples at least; --samples is the most. The ray tracer's alone.
     #[arg(long, value_name = "ERROR", value_parser = noise, conflicts_with = "sample_range")]
     pub(crate) noise: Option<f32>,
     /// Where the work is done.
@@ -58,8 +59,9 @@ pub(crate) struct Arguments {
     /// Say what would be made, and make nothing.
     #[arg(long)]
     pub(crate) dry_run: bool,
-    /// Print an object of JSON for each picture: file, scene, frames, size, method, backend, seconds, samples, inputs (what it is
-    /// known by), hash (BLAKE3 of the file), notes, made; in a dry run, whether it is there.
+    /// Print an object of JSON for each picture: file, scene, frames, size, method, backend, seconds, samples, inputs
+    /// (what it is known by), hash (BLAKE3 of the file), notes, broken (pixels that are not finite numbers), made; in a
+    /// dry run, whether it is there.
     #[arg(long)]
     pub(crate) json: bool,
     /// How progress is told, on stderr.

@@ -42,7 +42,7 @@ pub(crate) struct Arguments {
     pub(crate) job: Job,
     #[command(flatten)]
     pub(crate) keep: Keep,
-    /// Who renders: a key changes it.
+    /// Which backend renders; B changes it.
     #[arg(long, default_value = "gpu", overrides_with = "backend")]
     pub(crate) backend: Side,
     /// A saved picture that the scene's is compared with; one can be dropped on the window, too.
