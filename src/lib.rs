@@ -1,24 +1,35 @@
 //! Twinlight renders 3-D scenes with nothing but WGSL compute shaders, and every GPU stage has a CPU twin that says
 //! what is right. This page is the architecture.
 //!
+//! It grew from Zhang Zichuan's [course project](https://github.com/a389071432/CourseProjectCG). "The spec" in
+//! comments is that project's document: part 1 is its rasterizer, part 2 its ray tracer, and "Eq." and "fig." are its
+//! numbers.
+//!
 //! # One picture
 //!
 //! ```text
 //!           scene.toml -> Scene -> Tables, or Drawing
-//! traced    [cast -> follow -> gather] x rounds                                                 -> Film -> picture
-//! drawn     each light:  [project -> split -> cut -> count -> scan -> fill -> cover] -> shadow maps
-//!           each sample: [project -> split -> cut -> count -> scan -> fill -> cover -> mark -> shade]  -> Film -> picture
+//! traced    [cast -> follow -> gather] x rounds                                         -> Film -> picture
+//! drawn     each light:  [project -> split -> cut -> count -> scan -> fill -> cover]    -> shadow maps
+//!           each sample: [project -> split -> cut -> count -> scan -> fill -> cover -> mark
+//!                        -> sift -> shade, ground]                                      -> Film -> picture
 //! ```
 //!
-//! A frame is written **once**, as a trait with one method a stage and a function over it ([`trace::Trace`],
-//! [`raster::Raster`], and `frame` beside each). [`cpu`] and [`gpu`] implement the trait and do not know each other. A
-//! CPU stage's arguments are the kernel's `read` bindings; its results are the `read_write` ones.
+//! Left out here: `few`, which does all three at once for scenes of few things; `steps`, in the place of `follow` for
+//! `--show steps`; `lace`, in the place of `cover` for cut-out faces; `crowd -> heat`, in the place of the last three
+//! for `--show tiles`; and `call`, which sizes the GPU's next dispatches. With 64-bit atomics `split` does the work of
+//! `mark`.
+//!
+//! A frame is written **once**, as a trait with a method for each of its stages and a function over it
+//! ([`trace::Trace`], [`raster::Raster`], and `frame` beside each). [`cpu`] and [`gpu`] implement the trait and do not
+//! know each other. A CPU stage's arguments are the kernel's `read` bindings; its results are the `read_write` ones.
 //!
 //! # One stage, one name
 //!
 //! A stage has one name in four places: the kernel `wgsl/trace/follow.wgsl`, its twin `src/cpu/trace/follow.rs`, the
 //! trait's method [`trace::Trace::follow`], and the label of the GPU's objects. Both files open with the same line,
-//! which says what flows in and out.
+//! which says what flows in and out. Of the window's two stages, `lay` is a method of [`trace::grow::Grow`] and
+//! `develop`, which makes a display's bytes, is a function; `call` is the GPU's alone to ask.
 //!
 //! # Floors
 //!
@@ -43,9 +54,10 @@
 //! [`film::compare::TOLERANCES`] says how much may differ and why.
 //!
 //! The rasterizer decides in integers: corners are snapped to 1/256 pixel, coverage and depth are integer planes, and
-//! the least (depth, id) wins. A minimum does not mind who comes first, so no order of work and no division of it can
-//! show in the picture ([`raster`]), and neither can the variant of a kernel ([`gpu::Variant`]): with or without 64-bit
-//! atomics, with or without subgroups.
+//! the least (depth, id) wins. An image holds both as what they lack of the largest number, so that zero is nothing and
+//! the largest wins. A maximum does not mind who comes first, so no order of work and no division of it can show in the
+//! picture ([`raster`]), and neither can the variant of a kernel ([`gpu::Variant`]): with or without 64-bit atomics,
+//! with or without subgroups.
 //!
 //! # What the GPU is not trusted with
 //!

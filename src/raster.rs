@@ -6,13 +6,14 @@
 //!              -> sift -> shade, ground                                                    -> Film
 //! ```
 //!
-//! Cut-out faces go the same way once more, each lens's after all others, with lace in the place of cover: it asks their
-//! pictures whether they are there. Instead of sift, shade and ground, crowd -> heat show how much each tile has to do (`--show tiles`).
+//! Cut-out faces go the same way once more, each lens's after all others, with lace in the place of cover: it asks
+//! their pictures whether they are there. Instead of sift, shade and ground, crowd -> heat show how much each tile has
+//! to do (`--show tiles`). On a GPU, call says between stages how large the next dispatches are.
 //!
-//! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in
-//! integers and by a maximum, so neither the order of the work nor its division can show in the picture: small faces
-//! are drawn by one invocation each, and never enter a list; all others become pieces, which are sorted into tiles that
-//! a workgroup owns.
+//! The shadow pass is the first stages of the color pass, seen from the light. What is nearest is decided in integers
+//! and by a maximum, since an image holds what depth and id lack of the largest number. So neither the order of the
+//! work nor its division can show in the picture: small faces are drawn by one invocation each, and never enter a list;
+//! all others become pieces, which are sorted into tiles that a workgroup owns.
 
 mod frame;
 
@@ -26,7 +27,7 @@ pub type Drawn = (Vec<[f32; 4]>, Vec<u32>);
 /// Depths and ids of an image, row by row from the top left.
 pub type Seen = (Vec<u32>, Vec<u32>);
 
-/// One method a stage: `wgsl/raster/NAME.wgsl` and `cpu/raster/NAME.rs` do the same.
+/// A method for each stage but call: `wgsl/raster/NAME.wgsl` and `cpu/raster/NAME.rs` do the same.
 pub trait Raster {
     /// Depths and ids, where this backend keeps them.
     type Image;

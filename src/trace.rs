@@ -1,7 +1,7 @@
 //! What a traced frame is: the stages, and their order.
 //!
 //! ```text
-//! pixels -> [cast -> follow -> gather] x rounds -> Film    (or steps in the place of follow)
+//! pixels -> [cast -> follow -> gather] x rounds -> Film    (or steps in the place of follow, or few of all three)
 //! ```
 //!
 //! A pixel's ray tree lives in a [`Path`](crate::tables::Path) and can be put down after any loop turn. So one round
@@ -24,7 +24,8 @@ use std::ops::{ControlFlow, Range};
 use crate::film::{Band, Film, Run, Share, Watch, split};
 use crate::tables::{Slice, Tables};
 
-/// One method a stage: `wgsl/trace/NAME.wgsl` and `cpu/trace/NAME.rs` do the same.
+/// A method for each stage but lay, which is [`grow::Grow`]'s: `wgsl/trace/NAME.wgsl` and `cpu/trace/NAME.rs` do the
+/// same.
 pub trait Trace {
     /// The ray trees of a run of pixels, where this backend keeps them.
     type Paths;
