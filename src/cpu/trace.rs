@@ -194,7 +194,7 @@ impl Trace for CpuTrace<'_> {
                 let first = first + i * LANES as u32;
                 let from = paths[0].sample;
                 let together = paths.iter().all(|path| path.sample == from && path.state == IDLE);
-                if together && in_lanes {
+                if together && in_lanes && from < slice.samples {
                     let film = Strip {
                         first: slice.first + first,
                         sums: &mut *sums,
@@ -207,7 +207,7 @@ impl Trace for CpuTrace<'_> {
                         path.sample = end;
                     }
                     // A sample of more turns than a slice has is put down and gone on with, pixel by pixel.
-                    if end > from || from >= slice.samples {
+                    if end > from {
                         continue;
                     }
                 }

@@ -3,6 +3,7 @@
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::gpu::GpuTrace;
 use twinlight::gpu::wgsl::Sources;
+use twinlight::math::Vec3;
 use twinlight::scene::{Behavior, Material, Plane, Scene};
 use twinlight::tables::{FEW, Slice, Tables};
 use twinlight::trace::{Paths, Trace as _, frame};
@@ -99,8 +100,9 @@ fn bytes(paths: &Paths) -> [&[u8]; 4] {
     ]
 }
 
-/// Between two panes of glass each ray becomes two, down to the last of so many.
-fn panes(depth: u32) -> Tables {
+/// Between panes of glass each ray becomes two, down to the last of so many; of those that look down none meets any, if
+/// the panes lie above.
+fn panes(depth: u32, above: bool) -> Tables {
     let mut scene = random_scene(1);
     scene.resize([9, 7]).expect("a small film");
     (scene.trace.samples, scene.trace.depth, scene.trace.cutoff) = (2, depth, 0.0);
@@ -108,10 +110,13 @@ fn panes(depth: u32) -> Tables {
     scene.materials = vec![glass];
     scene.triangles.clear();
     scene.spheres.clear();
-    let forward = scene.camera.look_at - scene.camera.position;
+    let forward = Vec3::NEG_Z;
+    let (forward, from) = if above { (Vec3::Y, 1.0) } else { (forward, 0.0) };
+    (scene.camera.position, scene.camera.look_at) = (Vec3::ZERO, Vec3::NEG_Z);
+    scene.camera.up = Vec3::Y;
     scene.planes = [-1.0, -0.75, -0.5, -0.25, 0.25, 0.5, 0.75, 1.0]
         .map(|far| Plane {
-            point: scene.camera.position + forward * far,
+            point: forward * (far + 1.25 * from),
             normal: (-forward).normalize(),
             material: 0,
             tile: 1.0,
@@ -122,7 +127,7 @@ fn panes(depth: u32) -> Tables {
 
 #[test]
 fn trees_of_more_rays_than_a_slice_takes_are_put_down() {
-    let tables = panes(16);
+    let tables = panes(16, false);
     assert!(tables.few);
     let mut asked = 0;
     let mut count = |_: f64| asked += 1;
@@ -137,4 +142,14 @@ fn trees_of_more_rays_than_a_slice_takes_are_put_down() {
     assert!(film == other);
     let lit = (0..film.pixels()).filter(|&p| film.color(p).max_element() > 0.0).count();
     assert!(lit > 30, "{lit} pixels have light");
+}
+
+#[test]
+fn what_is_done_is_counted_once() {
+    let tables = panes(16, true);
+    assert!(tables.few);
+    let film = on_cpu(&tables);
+    assert!(film == on_gpu(&Sources::default(), &tables).expect("a film"));
+    let samples = |pixel| film.samples(pixel) == tables.samples as f32;
+    assert!((0..film.pixels()).all(samples), "pixels that end at once end the others");
 }
