@@ -27,17 +27,24 @@ struct Inner {
     refused: Option<std::io::Error>,
 }
 
-/// Where a name leads: a link stays, and what it leads to is replaced.
-fn followed(target: &Path) -> PathBuf {
-    let Ok(next) = target.read_link() else { return target.to_owned() };
-    // A link to nothing leads to where there will be something.
-    target.canonicalize().unwrap_or_else(|_| folder_of(target).join(next))
+/// As many links as systems follow from one name on.
+const MOST_LINKS: usize = 40;
+
+/// Where a name leads, if there is nothing yet, too: links stay, and what they lead to is replaced.
+fn followed(target: &Path) -> std::io::Result<PathBuf> {
+    let mut target = target.to_owned();
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = target.read_link() else { return Ok(target) };
+        target = folder_of(&target).join(next);
+    }
+    Err(std::io::Error::other("links lead from one to another without an end"))
 }
 
 impl Whole {
     /// Begins a file; what stands there stays until it is whole.
     pub(super) fn begin(target: &Path) -> Result<Self, Error> {
-        let target = &followed(target);
+        let refused = |source| Error::Write { path: target.to_owned(), source };
+        let target = &followed(target).map_err(refused)?;
         let begin = || {
             if target.is_dir() {
                 return Err(std::io::Error::other("a folder has this name"));
@@ -55,7 +62,7 @@ impl Whole {
             }
             Ok(builder.tempfile_in(folder_of(target))?.into_parts())
         };
-        let (file, place) = begin().map_err(|source| Error::Write { path: target.to_owned(), source })?;
+        let (file, place) = begin().map_err(refused)?;
         Ok(Self(Arc::new(Mutex::new(Inner {
             target: target.to_owned(),
             place: Some(place),

@@ -58,14 +58,26 @@ fn a_link_stays_and_a_pipe_is_refused() {
     let at = |name: &str| folder.path().join(name);
     fs::create_dir(at("disk")).expect("a folder");
     fs::write(at("disk/old.png"), "old").expect("a file");
-    for (link, target) in [("old.png", "disk/old.png"), ("new.png", "disk/new.png")] {
-        std::os::unix::fs::symlink(target, at(link)).expect("a link");
+    std::os::unix::fs::symlink("last.png", at("disk/next.png")).expect("a link");
+    let links = [
+        ("old.png", "disk/old.png", "disk/old.png"),
+        ("new.png", "disk/new.png", "disk/new.png"),
+        ("far.png", "disk/next.png", "disk/last.png"),
+    ];
+    for (link, next, target) in links {
+        std::os::unix::fs::symlink(next, at(link)).expect("a link");
         let arguments: Vec<_> = ["render", &room, "-o", link].into_iter().chain(SMALL).collect();
         good(&run(folder.path(), &arguments, &[]));
         assert!(at(link).is_symlink(), "{link} leads to {target}");
+        assert!(!at(target).is_symlink(), "{target} is no link");
         assert!(image::open(at(target)).is_ok(), "{target} is the picture");
         assert!(words(&run(folder.path(), &arguments, &[])).contains("already"), "it is known again");
     }
+    std::os::unix::fs::symlink("ring.png", at("ring.png")).expect("a link");
+    let arguments: Vec<_> = ["render", &room, "-o", "ring.png"].into_iter().chain(SMALL).collect();
+    let output = run(folder.path(), &arguments, &[]);
+    assert_eq!(output.status.code(), Some(4), "{}", words(&output));
+    assert!(words(&output).contains("without an end"), "{}", words(&output));
     let made = std::process::Command::new("mkfifo").arg(at("pipe.png")).status().expect("mkfifo");
     assert!(made.success());
     let arguments: Vec<_> = ["render", &room, "-o", "pipe.png"].into_iter().chain(SMALL).collect();
