@@ -88,7 +88,7 @@ impl Scenery {
     }
 
     fn lay(&mut self, mut sheet: Sheet, scene: &Scene) {
-        sheet.planes(scene);
+        sheet.planes(scene, self.bounds.map(|bounds| (bounds.center, bounds.radius)));
         let Sheet { vertices, mut faces, paints, texels, textures, .. } = sheet;
         if scene.raster.show == Show::Tiles {
             // A cut-out face is work for all of its pixels.

@@ -46,7 +46,9 @@ const DOWN: u32 = 48;
 /// Faces that a sphere is drawn with.
 pub const SPHERE_FACES: u32 = 2 * AROUND * DOWN;
 /// Faces that an infinite plane is drawn with.
-pub const PLANE_FACES: u32 = 2;
+pub const PLANE_FACES: u32 = 2 + 8 * RINGS;
+/// Rings around the square of a plane that is as large as the scene.
+const RINGS: u32 = 12;
 
 impl Sheet {
     /// The scene's materials and the decoding curve, and nothing painted with them yet.
@@ -178,34 +180,47 @@ impl Sheet {
         }));
     }
 
-    /// Infinite planes reach as far as the far plane, around the point of them that is nearest to the eye.
-    pub(super) fn planes(&mut self, scene: &Scene) {
+    /// Infinite planes reach as far as the far plane: a square around the point of them that is nearest to the scene's
+    /// middle, as large as the scene, and rings around it, each twice as wide. So what is near has corners that are
+    /// near, and f32 is as fine there as where things are; only the last ring follows the eye.
+    pub(super) fn planes(&mut self, scene: &Scene, middle: Option<(Vec3, f32)>) {
+        let eye = scene.camera.position;
+        let (middle, size) = middle.unwrap_or((eye, scene.camera.far * 1e-3));
         for plane in &scene.planes {
-            let eye = scene.camera.position;
-            let near = eye - plane.normal * plane.normal.dot(eye - plane.point);
-            let reach = scene.camera.far * 2.0;
+            let foot = |from: Vec3| from - plane.normal * plane.normal.dot(from - plane.point);
+            let center = foot(middle);
+            let reach = scene.camera.far * 2.0 + center.distance(foot(eye));
             let axes = plane.axes();
             let maps = &scene.materials[plane.material].maps;
             let scales = || [maps.color, maps.normal, maps.specular].into_iter().flatten().map(|map| map.scale);
             let start = [0, 1].map(|i| {
-                let copies = (near - plane.point).dot(axes[i]) / plane.tile;
-                // Whole copies are left out where they are alike, so that the coordinates are fine where the eye is.
+                let copies = (center - plane.point).dot(axes[i]) / plane.tile;
+                // Whole copies are left out where they are alike, so that the coordinates are fine in the middle.
                 if scales().all(|scale| scale[i].fract() == 0.0) { copies.fract() } else { copies }
             });
-            let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|way: [f32; 2]| {
-                let position = near + axes[0] * (way[0] * reach) + axes[1] * (way[1] * reach);
-                let uv = [0, 1].map(|i| start[i] + way[i] * reach / plane.tile);
-                (position, Vec2::from_array(uv))
-            });
-            self.corners(&square, plane.normal, plane.material);
-        }
-    }
-
-    fn corners(&mut self, corners: &[(Vec3, Vec2)], normal: Vec3, material: usize) {
-        let first = self.vertices.len() as u32;
-        self.vertices.extend(corners.iter().map(|corner| vertex(corner, normal)));
-        for i in 2..corners.len() as u32 {
-            self.faces.push(Face { a: first, b: first + i - 1, c: first + i, paint: material as u32 });
+            let first = self.vertices.len() as u32;
+            for ring in 0..=RINGS {
+                let half = size * (1 << ring) as f32;
+                let half = if ring == RINGS { half.max(reach) } else { half };
+                self.vertices.extend([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(|way: [f32; 2]| {
+                    let position = center + axes[0] * (way[0] * half) + axes[1] * (way[1] * half);
+                    let [u, v] = [0, 1].map(|i| start[i] + way[i] * half / plane.tile);
+                    Vertex { position, u, normal: plane.normal, v }
+                }));
+            }
+            let paint = plane.material as u32;
+            let mut face = |[a, b, c]: [u32; 3]| {
+                self.faces.push(Face { a: first + a, b: first + b, c: first + c, paint });
+            };
+            face([0, 1, 2]);
+            face([0, 2, 3]);
+            for inner in (0..4 * RINGS).step_by(4) {
+                let outer = inner + 4;
+                for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+                    face([outer + i, outer + j, inner + j]);
+                    face([outer + i, inner + j, inner + i]);
+                }
+            }
         }
     }
 }

@@ -4,6 +4,7 @@ use twinlight::cpu::first::{First, first};
 use twinlight::film::Film;
 use twinlight::film::compare::{Measure, Standard, TOLERANCES};
 use twinlight::math::Vec3;
+use twinlight::prepare::PLANE_FACES;
 use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
 use twinlight::tables::{CUT_OUT, NONE, ONE_SIDED, Tables};
 
@@ -58,9 +59,9 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
         rest
     };
     let [spheres, planes, triangles] = [scene.spheres.len(), scene.planes.len(), scene.triangles.len()].map(count);
-    // Of a sphere 96 x 48 squares are drawn, of a plane one.
+    // Of a sphere 96 x 48 squares are drawn.
     let of_sphere = 2 * 96 * 48;
-    let before = [meshes, spheres * of_sphere, triangles, planes * 2];
+    let before = [meshes, spheres * of_sphere, triangles, planes * PLANE_FACES];
     let mut rest = id;
     for (kind, count) in before.into_iter().enumerate() {
         if rest < count {
@@ -68,7 +69,7 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
                 0 => spheres + planes + triangles + traced_mesh(rest),
                 1 => rest / of_sphere,
                 2 => spheres + planes + rest,
-                _ => spheres + rest / 2,
+                _ => spheres + rest / PLANE_FACES,
             };
         }
         rest -= count;

@@ -101,9 +101,21 @@ fn shadows_of_any_light_are_where_the_ray_tracer_has_them() {
         assert!(dark > 0.01, "{dark} lies in shadow of {light:?}");
         assert!(differ < 0.02, "{differ} differs, {light:?}");
     }
+    // A roof close to a lamp: its depths begin near, and the floor reaches far.
+    let place = Vec3::new(0.2, 4.0, 0.6);
+    for below in [0.3, 0.02] {
+        let mut near = scene.clone();
+        let corner = |x: f32, z: f32| place + Vec3::new(x, -1.0, z) * below;
+        let vertices = [corner(0.0, 0.0), corner(0.1, 0.4), corner(0.4, 0.0)];
+        near.triangles.push(Triangle { vertices, material: 0, uvs: Triangle::UVS });
+        near.lights = vec![Light::Point { position: place, power: Vec3::ONE }];
+        let [differ, dark] = apart(&near);
+        assert!(dark > 0.03, "{dark} lies in shadow of a roof {below} below");
+        assert!(differ < 0.03, "{differ} differs, a roof {below} below");
+    }
     // A light's own camera sees from one point, so its shadows are those of a lamp there.
-    for (camera, fov) in [(near, 1.4), (far, 0.6)] {
-        let camera = seen(&camera, fov);
+    for (camera, fov, from) in [(&near, 1.4, 0.1), (&far, 0.6, 0.1), (&near, 1.4, 0.02)] {
+        let camera = Camera { near: from, ..seen(camera, fov) };
         let power = Vec3::ONE;
         scene.lights = vec![Light::Point { position: camera.position, power }];
         let lamp = scene_on_cpu(&scene);

@@ -23,7 +23,7 @@ fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
     return lamp.lens + select(4u, 5u, way.z < 0.0);
 }
 
-// What f32 rounds off two depths near one.
+// What f32 rounds off two depths near one; more where they are the rest of larger numbers.
 const ROUNDED: f32 = 2.3841858e-7;
 
 // Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
@@ -36,7 +36,8 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let by = lens_of(lamp, p) * 8u;
     let x = along(bitcast<vec4f>(texel(lenses, by)), p);
     let y = along(bitcast<vec4f>(texel(lenses, by + 1u)), p);
-    let z = along(bitcast<vec4f>(texel(lenses, by + 2u)), p);
+    let deeper = bitcast<vec4f>(texel(lenses, by + 2u));
+    let z = along(deeper, p);
     let w = along(bitcast<vec4f>(texel(lenses, by + 3u)), p);
     let film = texel(lenses, by + 4u);
     // What lies beyond the far plane lies behind all that is drawn.
@@ -47,7 +48,10 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let height = i32(film.y);
     let column = i32(floor((hold(x / w) * 0.5 + 0.5) * f32(width)));
     let row = i32(floor((0.5 - hold(y / w) * 0.5) * f32(height)));
-    let bias = max(hold(bitcast<f32>(texel(lenses, by + 5u).z) / hold(w * w)), ROUNDED);
+    let terms = abs(deeper.xyz * p);
+    let size = hold(hold(terms.x + terms.y) + terms.z) + abs(deeper.w);
+    let rounded = ROUNDED + hold(ROUNDED * hold(size / w));
+    let bias = max(hold(bitcast<f32>(texel(lenses, by + 5u).z) / hold(w * w)), rounded);
     let depth = u32(clamp(hold(z / w) - bias, 0.0, 1.0) * f32(DEEP));
     var open = 0;
     for (var j = -BLUR; j <= BLUR; j++) {

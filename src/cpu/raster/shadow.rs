@@ -24,7 +24,7 @@ fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
     lamp.lens + 4 + u32::from(way.z < 0.0)
 }
 
-/// What f32 rounds off two depths near one.
+/// What f32 rounds off two depths near one; more where they are the rest of larger numbers.
 const ROUNDED: f32 = 2.384_185_8e-7;
 
 /// Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
@@ -52,7 +52,9 @@ pub fn reaches(
     let (width, height) = (lens.width as i32, lens.height as i32);
     let column = ((c.x / c.w * 0.5 + 0.5) * width as f32).floor() as i32;
     let row = ((0.5 - c.y / c.w * 0.5) * height as f32).floor() as i32;
-    let bias = (lens.bias / (c.w * c.w)).max(ROUNDED);
+    let [x, y, z] = (lens.z.truncate() * p).abs().to_array();
+    let rounded = ROUNDED + ROUNDED * ((((x + y) + z) + lens.z.w.abs()) / c.w);
+    let bias = (lens.bias / (c.w * c.w)).max(rounded);
     let depth = ((c.z / c.w - bias).clamp(0.0, 1.0) * DEEP as f32) as u32;
     let blur = blur as i32;
     let mut open = 0;
