@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::{PLANE_FACES, SPHERE_FACES};
 use crate::scene::model::Model;
 use crate::scene::{Mesh, Method, Reach, Scene};
 
@@ -38,9 +39,11 @@ fn bytes(scene: &Scene, method: Method) -> u64 {
         let (alone, shared) = scene.alone_and_shared();
         alone.iter().chain(shared.iter().map(|meshes| &meshes[0])).map(|&i| of(&scene.meshes[i])).sum::<u64>()
     };
-    // A sphere is some thousands of faces where it is drawn.
-    let each = if method == Method::Raster { 9216 } else { 1 };
-    let faces = faces + count(scene.spheres.len()) * each + count(scene.planes.len() + scene.triangles.len());
+    // A sphere is some thousands of faces where it is drawn, and a plane a hundred.
+    let [sphere, plane] =
+        if method == Method::Raster { [SPHERE_FACES, PLANE_FACES].map(u64::from) } else { [1; 2] };
+    let [spheres, planes] = [scene.spheres.len(), scene.planes.len()].map(count);
+    let faces = faces + spheres * sphere + planes * plane + count(scene.triangles.len());
     let texels: u64 = models(scene).iter().flat_map(|model| &model.textures).map(|t| count(t.texels.len())).sum();
     let texels = texels + scene.textures.iter().map(|t| count(t.texels.len())).sum::<u64>();
     faces * FACE + texels * 16 + count(scene.meshes.len()) * MESH
