@@ -70,6 +70,8 @@ pub struct CpuRaster<'a> {
     pub pieces: Vec<Piece>,
     /// Of [`Raster::count`].
     pub counts: Vec<u32>,
+    /// The counts of the portions that are drawn.
+    before: Vec<u32>,
     /// Of [`Raster::scan`], with the end of the last list.
     pub starts: Vec<u32>,
     /// Of [`Raster::scan`]: tiles with an entry.
@@ -113,6 +115,7 @@ impl<'a> CpuRaster<'a> {
             at_once: 64 << 20,
             pieces: Vec::new(),
             counts: Vec::new(),
+            before: Vec::new(),
             starts: Vec::new(),
             busy: Vec::new(),
             entries: Vec::new(),
@@ -167,7 +170,7 @@ impl Raster for CpuRaster<'_> {
 
     fn project(&mut self, lens: &Lens) -> Result<(), Infallible> {
         self.corners = self.drawing.vertices.par_iter().map(|vertex| project::project(lens, vertex)).collect();
-        (self.late, self.portion) = (Vec::new(), 0..0);
+        (self.late, self.portion, self.before) = (Vec::new(), 0..0, Vec::new());
         Ok(())
     }
 
@@ -237,7 +240,14 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn settle(&mut self, _lens: &Lens, _image: &mut Image) -> Result<bool, Infallible> {
-        Ok(self.portion.end == self.late.len())
+        if self.portion.end == self.late.len() {
+            return Ok(true);
+        }
+        self.before.resize(self.counts.len(), 0);
+        for (before, count) in self.before.iter_mut().zip(&self.counts) {
+            *before += count;
+        }
+        Ok(false)
     }
 
     fn mark(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
@@ -267,6 +277,9 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn crowd(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        for (count, before) in self.counts.iter_mut().zip(&self.before) {
+            *count += before;
+        }
         crowd::crowd(lens, &self.drawing.faces, &self.corners, &mut self.counts);
         Ok(())
     }

@@ -9,7 +9,7 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
 use twinlight::raster::{bands, frame, part};
-use twinlight::scene::Method;
+use twinlight::scene::{Method, Show};
 use twinlight::tables::{Drawing, NONE, REGION};
 
 use super::raster_exact::{drawn_by, on_cpu as drawn, random_drawing};
@@ -165,6 +165,15 @@ fn portions_of_faces_do_not_show() {
         }
     }
     assert!(several > 200, "{several} have faces for several portions");
+    for number in 0..20 {
+        let mut scene = painted(number);
+        scene.raster.show = Show::Tiles;
+        let drawing = draw(&scene);
+        let mut stages = CpuRaster::new(&drawing);
+        stages.at_once = 1;
+        let Ok(film) = frame(&mut stages, &drawing, &mut |_| ());
+        assert!(film == whole(&drawing), "faces in the tiles of scene {number}");
+    }
 }
 
 /// Stops when it is asked for the second time.
