@@ -11,11 +11,12 @@ pub struct Node {
     pub corner: Vec3,
     /// The biased exponents of a step in x, y and z.
     pub steps: u32,
-    /// The first of the children that are nodes.
+    /// Where the children begin that are nodes: each is as far on as its place. Between them lie places of none.
     pub children: u32,
     /// The first of the primitives.
     pub leaves: u32,
-    /// A bit for each child that is a node, from bit 24 up.
+    /// A bit for each child that is a node, four times: byte k has them at `place ^ k`, as rays of octant k ask for
+    /// them, and with its halves swapped as those of octant k + 4 do.
     pub inner: u32,
     /// Three bits for each child: as many ones, from the lowest up, as it has primitives.
     pub held: u32,

@@ -20,7 +20,7 @@ const FAULTS: &[(&str, &str, &str, &str)] = &[
     ("trace/boxes", "enter <= leave", "enter * 1.01 <= leave", "bust"),
     ("trace/boxes", "back.y);\n    let near_z", "!back.y);\n    let near_z", "bust"),
     ("trace/walk", "held & ~met & (met - 1u)", "held & (met - 1u)", "bust"),
-    ("trace/walk", "(1u << place) - 1u", "(2u << place) - 1u", "bust"),
+    ("trace/aim", "<< own_bits[1]", "<< own_bits[0]", "bust"),
     ("trace/walk", "t < walk.t ||", "t <= walk.t * 1.001 ||", "bust"),
     ("trace/aim", "d.x / d.z", "d.x * d.z", "bust"),
     ("trace/surface", "normal = -normal", "normal = normal", "pyramid"),

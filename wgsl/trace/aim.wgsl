@@ -18,6 +18,9 @@ struct Aim {
     slack: vec3f,
     // The places of children are asked from the highest `place ^ octant` down.
     octant: u32,
+    // What the child in each place may have: three bits for its primitives; and from bit 24 up, at `place ^ octant`, one
+    // for itself.
+    may_have: array<vec4u, 2>,
 }
 
 // The axes in turn, so that the third is number `axis`; cyclic, so that no handedness changes.
@@ -61,5 +64,10 @@ fn aim_of(ray: Ray, low: vec3f, high: vec3f) -> Aim {
     let per_side = abs(inverse) * reach;
     let octant = select(4u, 0u, ray.direction.x < 0.0) | select(2u, 0u, ray.direction.y < 0.0)
         | select(1u, 0u, ray.direction.z < 0.0);
-    return Aim(axis, shear, inverse, per_side * 9.536743e-7, per_side * 3.8146973e-6, octant);
+    let own_bits = array(vec4u(0u, 1u, 2u, 3u) ^ vec4u(octant), vec4u(4u, 5u, 6u, 7u) ^ vec4u(octant));
+    let may_have = array(
+        vec4u(0x7u, 0x38u, 0x1c0u, 0xe00u) | (vec4u(0x1000000u) << own_bits[0]),
+        vec4u(0x7000u, 0x38000u, 0x1c0000u, 0xe00000u) | (vec4u(0x1000000u) << own_bits[1]),
+    );
+    return Aim(axis, shear, inverse, per_side * 9.536743e-7, per_side * 3.8146973e-6, octant, may_have);
 }

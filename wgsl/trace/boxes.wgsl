@@ -23,11 +23,11 @@ fn axis_of(exponent: u32, corner: f32, inverse: f32, slack: f32) -> Axis {
     return Axis(bitcast<f32>(exponent << 23u) * inverse, at - slack, at + slack);
 }
 
-// What each child may have: three bits for its primitives, and one, from bit 24 up, for itself.
-const MAY_HAVE = array(
-    vec4u(0x01000007u, 0x02000038u, 0x040001c0u, 0x08000e00u),
-    vec4u(0x10007000u, 0x20038000u, 0x401c0000u, 0x80e00000u),
-);
+// Which of a node's children are nodes, as rays of an octant have them: see `Node`.
+fn inner_of(node: Node, octant: u32) -> u32 {
+    let byte = (node.inner >> (8u * (octant & 3u))) & 255u;
+    return select(byte, (byte << 4u) | (byte >> 4u), octant >= 4u);
+}
 
 // See `lesser`: what is no number is left out, if `b` is one.
 fn larger_of(a: vec4f, b: vec4f) -> vec4f {
@@ -38,6 +38,7 @@ fn lesser_of(a: vec4f, b: vec4f) -> vec4f {
     return select(b, a, a < b);
 }
 
+// From bit 24 up the children that are nodes, at `place ^ octant`; below, the primitives of the others.
 fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
     let exponents = bytes(node.steps);
     let corner = node.corner - ray.origin;
@@ -62,9 +63,9 @@ fn boxes_met(node: Node, ray: Ray, aim: Aim, t: f32) -> u32 {
         let leave_z = steps(far_z[$i]) * z.step + z.far;
         let enter = larger_of(enter_x, larger_of(enter_y, larger_of(enter_z, vec4f(0.0))));
         let leave = lesser_of(leave_x, lesser_of(leave_y, lesser_of(leave_z, vec4f(t))));
-        let bits = select(vec4u(0u), MAY_HAVE[$i], enter <= leave);
+        let bits = select(vec4u(0u), aim.may_have[$i], enter <= leave);
         met |= (bits.x | bits.y) | (bits.z | bits.w);
     }
     #end
-    return met & (node.inner | node.held);
+    return met & (node.held | (inner_of(node, aim.octant) << 24u));
 }

@@ -100,8 +100,8 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     if (walk.hit != NONE) {
         id = primitive_at(walk.hit).leaf.id;
     }
-    // What of the stack is in hand; the root is the only child of nothing.
-    var group = vec2u(0u, select(0u, 0x80000000u, walk.next == settings.planes));
+    // What of the stack is in hand; the root is the only child of nothing, in place 0.
+    var group = vec2u(0u, select(0u, 1u << seat.aim.octant, walk.next == settings.planes));
     var size = max(walk.next, settings.planes + 1u) - settings.planes - 1u;
     #repeat copies
     if (size > 0u) {
@@ -132,29 +132,32 @@ fn walk(ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
             }
             #repeat copies
             if (group.x >= INSTANCES) {
-                // The next of some instances: its root, the only child of nothing.
+                // The next of some instances.
                 within = leaf_at((group.x ^ INSTANCES) + firstTrailingBit(group.y)).material;
                 group.y &= group.y - 1u;
                 size = put(group, size, &walk);
                 base = size;
                 entered = within;
-                group = vec2u(instance_at(within).root, 0x80000000u);
+                group = vec2u(instance_at(within).root, 0u);
             }
             if (entered != NONE) {
                 seat = in_instance(ray, entered);
                 entered = NONE;
+                // Its root, the only child of nothing, unless the walk goes on within.
+                group.y = select(group.y, 1u << seat.aim.octant, !is_open(group));
             }
             #end
-            let place = first_of(group, seat.aim.octant);
-            group.y ^= 0x01000000u << place;
-            let node = node_at(group.x + countOneBits(group.y & ((1u << place) - 1u)));
+            let first_bit = firstLeadingBit(group.y);
+            group.y ^= 1u << first_bit;
+            let node = node_at(group.x + (first_bit ^ seat.aim.octant));
             met = boxes_met(node, seat.ray, seat.aim, walk.t);
             // What is left of a group stays in hand, unless there is more below.
-            if ((met & NODES) != 0u) {
+            let below = met >> 24u;
+            if (below != 0u) {
                 size = put(group, size, &walk);
-                group = vec2u(node.children, (met & NODES) | (node.inner >> 24u));
+                group = vec2u(node.children, below);
             }
-            met &= PRIMITIVES;
+            met &= 0x00ffffffu;
             first = node.leaves;
             held = node.held;
             walk.turns += 1u;

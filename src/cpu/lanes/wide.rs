@@ -76,12 +76,12 @@ impl Wides {
 
 /// A node whose children are leaves; what is around its other children is not known yet.
 fn wide(node: &Node, leaves: &[Leaf], blocks: &mut Vec<Block>) -> Wide {
-    let inner = node.inner >> 24;
+    let inner = node.inner & 255;
     let nothing: [[f32; LANES]; 6] =
         std::array::from_fn(|side| [if side % 2 == 0 { f32::INFINITY } else { f32::NEG_INFINITY }; LANES]);
     let mut wide = Wide {
         sides: nothing,
-        children: std::array::from_fn(|i| node.children + (inner & ((1 << i) - 1)).count_ones()),
+        children: std::array::from_fn(|i| node.children + i as u32),
         taken: inner,
         inner,
         many: 0,

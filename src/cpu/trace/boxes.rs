@@ -25,6 +25,7 @@ pub struct Gaze<S: Simd> {
     slack: f32x4<S>,
     /// Which rows of a node hold the near sides; the far ones are in the other row of an axis.
     near: [usize; 3],
+    octant: usize,
 }
 
 impl<S: Simd> Gaze<S> {
@@ -39,6 +40,7 @@ impl<S: Simd> Gaze<S> {
             inverse: four(simd, aim.inverse),
             slack: four(simd, aim.slack),
             near,
+            octant: aim.octant as usize % 8,
         }
     }
 }
@@ -105,9 +107,19 @@ const MAY_HOLD: [u32; 256] = {
     all
 };
 
+/// Each set of places as rays of an octant have it, at `place ^ octant`.
+const TURNED: [[u8; 256]; 8] = {
+    let mut all = [[0; 256]; 8];
+    let mut i = 0;
+    while i < 8 * 256 * 8 {
+        let (octant, set, place) = (i >> 11, i >> 3 & 255, i & 7);
+        all[octant][set] |= (set as u8 >> place & 1) << (place ^ octant);
+        i += 1;
+    }
+    all
+};
+
 /// Twin of the kernel's, for all eight children at once; those that are nodes, and the primitives of the others.
-///
-/// The nodes do not wait for a table: the next one to ask hangs on them.
 #[inline(always)]
 #[must_use]
 pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> [u32; 2] {
@@ -119,5 +131,6 @@ pub fn boxes_met<S: Simd>(simd: S, node: &Node, gaze: &Gaze<S>, t: f32) -> [u32;
     let enter = x[0].max(y[0]).max(z[0].max(f32x8::splat(simd, 0.0)));
     let leave = x[1].min(y[1]).min(z[1].min(f32x8::splat(simd, t)));
     let met = enter.simd_le(leave).to_bitmask() as u32;
-    [met & node.inner >> 24, MAY_HOLD[met as usize % 256] & node.held]
+    let inner = u32::from(TURNED[gaze.octant][(met & node.inner) as usize % 256]);
+    [inner, MAY_HOLD[met as usize % 256] & node.held]
 }

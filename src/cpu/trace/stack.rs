@@ -10,61 +10,30 @@ pub const INSTANCES: u32 = 0x8000_0000;
 /// The children of a node that are still to be asked, or instances.
 #[derive(Debug, Clone, Copy)]
 pub struct Group {
-    /// Where all of the node's children begin; or the primitives among which the instances are, with [`INSTANCES`].
+    /// Where the node's places begin; or the primitives among which the instances are, with [`INSTANCES`].
     pub begin: u32,
-    /// A bit for each child that is still to be asked.
+    /// A bit for each child that is still to be asked, at `place ^ octant`; or for each instance.
     pub left: u32,
-    /// A bit for each child that is a node; or for each instance that is still to be asked.
-    pub nodes: u32,
 }
 
 impl Group {
     /// Nothing.
-    pub const NONE: Self = Self { begin: 0, left: 0, nodes: 0 };
+    pub const NONE: Self = Self { begin: 0, left: 0 };
 
-    /// A root, the only child of nothing.
+    /// A root, the only child of nothing, in place 0.
     #[inline(always)]
     #[must_use]
-    pub fn root(node: u32) -> Self {
-        Self { begin: node, left: 0x80, nodes: 0 }
-    }
-
-    /// As a stack has it.
-    #[inline(always)]
-    #[must_use]
-    pub fn of([begin, bits]: [u32; 2]) -> Self {
-        Self { begin, left: bits >> 24, nodes: bits & 0x00ff_ffff }
+    pub fn root(node: u32, octant: u32) -> Self {
+        Self { begin: node, left: 1 << octant }
     }
 
     /// Whether there is anything left to ask.
     #[inline(always)]
     #[must_use]
     pub fn is_open(self) -> bool {
-        self.left != 0 || (self.begin >= INSTANCES && self.nodes != 0)
-    }
-
-    /// The place of the child that is asked first, of a group of nodes.
-    #[inline(always)]
-    #[must_use]
-    pub fn first(self, octant: u32) -> u32 {
-        u32::from(FIRST[octant as usize % 8][self.left as usize % 256])
+        self.left != 0
     }
 }
-
-/// Of each set of places the one that is asked first: whose `place ^ octant` is the highest.
-const FIRST: [[u8; 256]; 8] = {
-    let mut all = [[0; 256]; 8];
-    let mut i = 0;
-    // In the order of `place ^ octant`, so that the last one stays.
-    while i < 8 * 256 * 8 {
-        let (octant, set, place) = (i >> 11, i >> 3 & 255, (i & 7) ^ (i >> 11));
-        if set >> place & 1 == 1 {
-            all[octant][set] = place as u8;
-        }
-        i += 1;
-    }
-    all
-};
 
 /// Keeps what is left of a group for later; how much is on the stack then. It holds `room` groups.
 #[inline(always)]
@@ -77,6 +46,6 @@ pub fn put(stack: &mut [[u32; 2]], room: usize, group: Group, size: usize, flags
         *flags |= STACK_FULL;
         return size;
     }
-    stack[size] = [group.begin, group.left << 24 | group.nodes];
+    stack[size] = [group.begin, group.left];
     size + 1
 }

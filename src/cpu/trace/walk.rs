@@ -62,10 +62,9 @@ pub fn past_planes(tables: &Tables, ray: Ray, mut walk: Walk, most: u32, any: bo
 /// Goes on from `start` until `most` steps are taken, or a few more: all primitives of a node are asked in one go.
 /// With `any`, stops at the first that is met.
 ///
-/// `stack` has `deep` places: the children of nodes that are still to be asked, where all of a node's begin; a bit for
-/// each from bit 24 up; and below bit 8, which of the places hold nodes. Or instances that are still to be asked: where
-/// a node's leaves begin, with the highest bit, and a bit for each. Where there are instances, the last place says in
-/// which of them the walk is.
+/// `stack` has `deep` places: the children of nodes that are still to be asked, where a node's places begin, and a bit for
+/// each of them, at `place ^ octant`. Or instances that are still to be asked: where a node's leaves begin, with the
+/// highest bit, and a bit for each. Where there are instances, the last place says in which of them the walk is.
 #[must_use]
 pub fn walk(tables: &Tables, stack: &mut [[u32; 2]], ray: Ray, start: Walk, most: u32, any: bool) -> Walk {
     if tables.instances.is_empty() {
@@ -111,7 +110,7 @@ fn go_on<S: Simd, const PLACED: bool>(
     // The number of the hit; nothing wins a tie against the reach of a ray.
     let mut id = if walk.hit == NONE { 0 } else { primitive_at(tables, walk.hit).leaf.id };
     // What of the stack is in hand.
-    let mut group = if walk.next == planes { Group::root(0) } else { Group::NONE };
+    let mut group = if walk.next == planes { Group::root(0, seat.aim.octant) } else { Group::NONE };
     let mut size = (walk.next.max(planes + 1) - planes - 1) as usize;
     if PLACED && size > 0 {
         [within, base] = stack[room];
@@ -127,27 +126,27 @@ fn go_on<S: Simd, const PLACED: bool>(
         }
         if !group.is_open() {
             size -= 1;
-            group = Group::of(stack[size]);
+            let [begin, left] = stack[size];
+            group = Group { begin, left };
         }
         if PLACED && group.begin >= INSTANCES {
             // The next of some instances: its root, the only child of nothing.
-            within = tables.leaves[((group.begin ^ INSTANCES) + group.nodes.trailing_zeros()) as usize].material;
-            group.nodes &= group.nodes - 1;
+            within = tables.leaves[((group.begin ^ INSTANCES) + group.left.trailing_zeros()) as usize].material;
+            group.left &= group.left - 1;
             size = put(stack, room, group, size, &mut walk.flags);
             base = size as u32;
             let placed = &tables.instances[within as usize];
             (seat, gaze, sight) = seated(simd, Seat::in_instance(tables, *ray, placed));
-            group = Group::root(placed.root);
+            group = Group::root(placed.root, seat.aim.octant);
         }
-        let place = group.first(seat.aim.octant);
-        group.left ^= 1 << place;
-        let before = group.nodes & ((1 << place) - 1);
-        let node = &tables.nodes[(group.begin + before.count_ones()) as usize];
-        let [left, mut met] = boxes_met(simd, node, &gaze, walk.t);
+        let first_bit = group.left.ilog2();
+        group.left ^= 1 << first_bit;
+        let node = &tables.nodes[(group.begin + (first_bit ^ seat.aim.octant)) as usize];
+        let [below, mut met] = boxes_met(simd, node, &gaze, walk.t);
         // What is left of a group stays in hand, unless there is more below.
-        if left != 0 {
+        if below != 0 {
             size = put(stack, room, group, size, &mut walk.flags);
-            group = Group { begin: node.children, left, nodes: node.inner >> 24 };
+            group = Group { begin: node.children, left: below };
         }
         walk.turns += 1;
         // Those of the primitives that are instances.
@@ -179,7 +178,7 @@ fn go_on<S: Simd, const PLACED: bool>(
         }
         if PLACED && later != 0 {
             size = put(stack, room, group, size, &mut walk.flags);
-            group = Group { begin: node.leaves | INSTANCES, left: 0, nodes: later };
+            group = Group { begin: node.leaves | INSTANCES, left: later };
         }
     }
     size = put(stack, room, group, size, &mut walk.flags);

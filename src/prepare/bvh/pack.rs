@@ -52,6 +52,17 @@ fn lesser(a: f32, b: f32) -> f32 {
     if b < a { b } else { a }
 }
 
+/// A bit for each place that has a node.
+pub(super) fn inner(places: &Places<'_>) -> u32 {
+    (0..8).filter(|&i| places[i].is_some_and(|child| !child.is_leaf())).map(|i| 1 << i).sum()
+}
+
+/// A set of places as rays of the first four octants have it, a byte each, at `place ^ octant`.
+pub(super) fn in_octants(set: u32) -> u32 {
+    let turned = |octant: u32| (0..8).map(|place| (set >> place & 1) << (place ^ octant)).sum::<u32>();
+    (0..4).map(|octant| turned(octant) << (8 * octant)).sum()
+}
+
 /// The node; its children and leaves are counted from the numbers given.
 ///
 /// A box grows outwards to whole steps. What rounding may still take off it is less than a walk adds: see `aim`.
@@ -68,6 +79,7 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         steps: steps[0] | steps[1] << 8 | steps[2] << 16,
         children: first_child,
         leaves: first_leaf,
+        inner: in_octants(inner(places)),
         ..bytemuck::Zeroable::zeroed()
     };
     for (i, child) in places.iter().enumerate() {
@@ -84,8 +96,6 @@ pub(super) fn pack(places: &Places<'_>, whole: Bounds, first_child: u32, first_l
         put(&mut node.high_z, high[2]);
         if child.is_leaf() {
             node.held |= ((1 << child.boxes) - 1) << (3 * i);
-        } else {
-            node.inner |= 1 << (24 + i);
         }
     }
     node

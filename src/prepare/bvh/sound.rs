@@ -1,6 +1,7 @@
 //! a tree from elsewhere -> whether a walk through it ends, and meets each box once
 
 use super::Tree;
+use super::pack::in_octants;
 use crate::tables::Node;
 
 /// Whether all that a tree's nodes and order say is there, once, and as deep as it says.
@@ -16,7 +17,9 @@ pub(super) fn is_sound(tree: &Tree) -> bool {
         ahead.extend(children.into_iter().map(|child| (child, level + 1)));
     }
     let all = tree.order.iter().all(|&i| take(&mut order, i as usize).is_some());
-    all && deep == tree.deep && left.nodes.iter().chain(&left.leaves).all(|left| !left)
+    // Between nodes lie places of none.
+    let none = tree.nodes.iter().zip(&left.nodes).all(|(node, left)| !left || node.inner | node.held == 0);
+    all && deep == tree.deep && none && left.leaves.iter().all(|left| !left)
 }
 
 /// Takes what is there still.
@@ -33,19 +36,19 @@ struct Left {
 impl Left {
     /// Takes a node's leaves, and says which nodes are its children; nothing if it has what it cannot have.
     fn children(&mut self, node: &Node) -> Option<Vec<usize>> {
-        if node.inner << 8 != 0 || node.held >> 24 != 0 {
+        if node.inner != in_octants(node.inner & 255) || node.held >> 24 != 0 {
             return None;
         }
         let (mut children, mut leaves) = (Vec::new(), node.leaves as usize);
         for place in 0..8 {
             let held = node.held >> (3 * place) & 7;
             let count = held.trailing_ones();
-            let is_node = node.inner >> (24 + place) & 1 == 1;
+            let is_node = node.inner >> place & 1 == 1;
             if held >> count != 0 || (is_node && held != 0) {
                 return None;
             }
             if is_node {
-                children.push((node.children as usize).checked_add(children.len())?);
+                children.push((node.children as usize).checked_add(place)?);
             }
             for _ in 0..count {
                 take(&mut self.leaves, leaves)?;
