@@ -30,7 +30,8 @@ fn instance_of(hit: u32) -> u32 {
     {
         let next = found + (1u << (HALVINGS - 1u - $iu));
         let last = max(settings.instances, 1u) - 1u;
-        found = select(found, next, next <= last && first_id_of(min(next, last)) <= id);
+        // No `&&`: its branch would hang on a uniform alone at first, and lavapipe would compile anew for each dispatch.
+        found = select(found, next, (next <= last) & (first_id_of(min(next, last)) <= id));
     }
     #end
     return select(NONE, found, hit >= settings.loose + settings.instances);
