@@ -103,3 +103,41 @@ fn no_ray_meets_what_it_has_just_left() {
         assert_eq!(again, 0, "of {rays} rays at scale 1e{power}");
     }
 }
+
+/// The six sides of a cube, two triangles each.
+fn cube(half: f32) -> Vec<[Vec3; 3]> {
+    let corner = |i: usize| Vec3::from_array([4, 2, 1].map(|bit| if i & bit == 0 { -half } else { half }));
+    let sides = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+    let halves = sides.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]);
+    halves.map(|corners| corners.map(corner)).collect()
+}
+
+#[test]
+fn rays_from_the_edges_of_a_room_do_not_meet_its_walls() {
+    for power in -8..=8 {
+        let scale = 10_f32.powi(power);
+        let tables = prepare(&scene_of(&cube(5.0 * scale)));
+        let mut dice = Dice(power as u32, 14);
+        let mut again = 0;
+        let rays = 20_000;
+        for i in 0..rays {
+            // A point of an edge, seen from somewhere and asked for the light from somewhere.
+            let inside = |dice: &mut Dice| dice.point(4.0) * scale;
+            let mut target = dice.point(5.0) * scale;
+            for axis in [i % 3, (i + 1) % 3] {
+                target[axis] = 5.0 * scale * if dice.within(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 };
+            }
+            let [eye, light] = [inside(&mut dice), inside(&mut dice)];
+            let ray = Ray { origin: eye, direction: target - eye, leaves: NONE };
+            let found = nearest(&tables, ray);
+            assert!(found.hit != NONE, "a closed room");
+            let surface = surface_at(&tables, ray, found.t, found.hit, &mut ());
+            let origin = start_of(&surface, surface.normal);
+            let shadow = Ray { origin, direction: light - origin, leaves: found.hit };
+            let mut stack = vec![[0; 2]; tables.deep as usize];
+            again += usize::from(walk(&tables, &mut stack, shadow, Walk::new(1.0), u32::MAX, true).hit != NONE);
+        }
+        // Those that came along the other wall; without the way back along the ray there are thousands.
+        assert!(again <= 2, "{again} of {rays} rays at scale 1e{power}");
+    }
+}
