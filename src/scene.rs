@@ -123,7 +123,8 @@ pub struct RasterSettings {
     pub shadow_size: u32,
     /// What a light still counts for where it is shadowed.
     pub shadow: f32,
-    /// How much farther from the light than its caster a point must lie to be shadowed, as a share of the scene's size.
+    /// How much farther from the light than its caster a point must lie to be shadowed, as a share of what the light's
+    /// shadow map shows across there.
     pub bias: f32,
     /// Texels around a point's own that are asked for its shadow, in each direction.
     pub blur: u32,

@@ -59,7 +59,7 @@ impl Scenery {
         sheet.spheres(scene);
         sheet.triangles(scene);
         let (bounds, solid) = (bounds(&sheet), [sheet.vertices.len(), sheet.faces.len()]);
-        let mut scenery = Self { drawing: nothing(scene), textures: Vec::new(), bounds, solid };
+        let mut scenery = Self { drawing: nothing(scene, bounds), textures: Vec::new(), bounds, solid };
         scenery.lay(sheet, scene);
         scenery
     }
@@ -96,19 +96,19 @@ impl Scenery {
                 face.paint &= !CUT_OUT;
             }
         }
-        self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene) };
+        self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene, self.bounds) };
         self.textures = textures;
         lamps(scene, self.bounds, &mut self.drawing);
     }
 }
 
 /// The eyes and the canvas, and nothing drawn yet.
-fn nothing(scene: &Scene) -> Drawing {
+fn nothing(scene: &Scene, bounds: Option<Bounds>) -> Drawing {
     Drawing {
         eyes: eyes(scene),
         most: MOST_PIXELS,
         lenses: Vec::new(),
-        canvas: canvas(scene),
+        canvas: canvas(scene, bounds),
         vertices: Vec::new(),
         faces: Vec::new(),
         paints: Vec::new(),
@@ -155,10 +155,11 @@ fn view(camera: &Camera, aspect: f32, film: [u32; 2], region: &[Range<u32>; 2], 
     perspective(&seat, half, [camera.near, camera.far], size, shift)
 }
 
-fn canvas(scene: &Scene) -> Canvas {
+fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
     let settings = &scene.raster;
+    let eye = scene.camera.position;
     Canvas {
-        eye: scene.camera.position,
+        eye,
         lamps: scene.lights.len() as u32,
         background: scene.film.background,
         specular: match settings.specular {
@@ -184,7 +185,7 @@ fn canvas(scene: &Scene) -> Canvas {
             Show::Tiles => tables::SHOW_TILES,
             Show::Wire => tables::SHOW_WIRE,
         },
-        reach: scene.camera.position.distance(scene.camera.look_at),
+        reach: bounds.map_or(eye.distance(scene.camera.look_at), |b| eye.distance(b.center).max(b.radius)),
     }
 }
 
@@ -216,7 +217,7 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
         drawing.lamps.push(Lamp { place, kind, power, lens });
         for mut lens in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
-            lens.bias *= scene.raster.bias * bounds.map_or(0.0, |b| 2.0 * b.radius);
+            lens.bias *= scene.raster.bias;
             // A texel each way, and as many more as are asked around it.
             lens.slope = 256 * (1 + scene.raster.blur);
             drawing.lenses.push(lens);

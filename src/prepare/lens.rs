@@ -57,8 +57,9 @@ pub fn perspective(pose: &Pose, half: [f32; 2], [near, far]: [f32; 2], size: [u3
     let y = row(up, pose.eye, 1.0 / f64::from(half[1]), 0.0) - w * (shift[1] * 2.0 / size[1] as f32);
     // The spec's projection, with z from 0 to w instead of from -w to w.
     let z = row(back, pose.eye, -share, -near * share);
-    // Clip z is share * (w - near): a way along the axis shows in z / w by near * share / w^2.
-    Lens { bias: (near * share) as f32, ..lens(size, [x, y, z, w]) }
+    // Clip z is share * (w - near): a way along the axis shows in z / w by near * share / w^2, and one as long as the
+    // film is wide there, 2 * half * w, by as much times 2 * half * w.
+    Lens { bias: (near * share) as f32 * 2.0 * half[0], ..lens(size, [x, y, z, w]) }
 }
 
 /// A box: `half` is half its size, across and up.
@@ -69,5 +70,5 @@ pub fn orthographic(pose: &Pose, half: [f32; 2], [near, far]: [f32; 2], size: [u
     let x = row(right, pose.eye, 1.0 / f64::from(half[0]), 0.0);
     let y = row(up, pose.eye, 1.0 / f64::from(half[1]), 0.0);
     let z = row(back, pose.eye, -deep, -f64::from(near) * deep);
-    Lens { bias: deep as f32, ..lens(size, [x, y, z, Vec4::W]) }
+    Lens { bias: deep as f32 * 2.0 * half[0], ..lens(size, [x, y, z, Vec4::W]) }
 }

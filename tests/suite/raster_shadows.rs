@@ -105,6 +105,8 @@ fn shadows_of_any_light_are_where_the_ray_tracer_has_them() {
     let place = Vec3::new(0.2, 4.0, 0.6);
     for below in [0.3, 0.02] {
         let mut near = scene.clone();
+        // As far as that, one square for the whole plane would be coarser in f32 than what is near the lamp.
+        near.camera.far = 1e4;
         let corner = |x: f32, z: f32| place + Vec3::new(x, -1.0, z) * below;
         let vertices = [corner(0.0, 0.0), corner(0.1, 0.4), corner(0.4, 0.0)];
         near.triangles.push(Triangle { vertices, material: 0, uvs: Triangle::UVS });
@@ -123,5 +125,25 @@ fn shadows_of_any_light_are_where_the_ray_tracer_has_them() {
         let seen = scene_on_cpu(&scene);
         let other = (0..lamp.pixels()).filter(|&p| (lamp.color(p).x > 0.5) != (seen.color(p).x > 0.5)).count();
         assert!(other * 50 < lamp.pixels() as usize, "{other} of {} pixels", lamp.pixels());
+    }
+}
+
+/// The bias is a share of what a map shows where things are: not of a floor that reaches far beyond them.
+#[test]
+fn small_things_cast_shadows_on_wide_floors() {
+    let mut scene = cubes();
+    scene.planes.clear();
+    let ball = |x: f32, radius: f32| Sphere { center: Vec3::new(x, radius, 0.0), radius, material: 0 };
+    scene.spheres = vec![ball(-0.7, 0.5), ball(0.6, 0.25)];
+    scene.lights = vec![Light::Point { position: Vec3::new(1.0, 4.0, 1.0), power: Vec3::ONE }];
+    scene.camera.position = Vec3::new(0.5, 3.0, 4.0);
+    for half in [20.0, 1000.0, 4000.0] {
+        let corner = |x: f32, z: f32| Vec3::new(x, 0.0, z) * half;
+        let [a, b, c, d] = [corner(-1.0, -1.0), corner(-1.0, 1.0), corner(1.0, 1.0), corner(1.0, -1.0)];
+        let face = |vertices| Triangle { vertices, material: 0, uvs: Triangle::UVS };
+        scene.triangles = vec![face([a, b, c]), face([a, c, d])];
+        let [differ, dark] = apart(&scene);
+        assert!(dark > 0.02, "{dark} lies in shadow, half a floor is {half}");
+        assert!(differ < 0.015, "{differ} differs, half a floor is {half}");
     }
 }

@@ -27,7 +27,8 @@ fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
 const ROUNDED: f32 = 2.3841858e-7;
 
 // Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
-// taken from the point's: a way along the lens's axis, of which far depths show less by the square of their distance.
+// taken from the point's: a share of what the lens sees across there, which grows with the distance, while depths show
+// less of a way by its square.
 fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     if (lamp.lens == NONE) {
         return 1.0;
@@ -51,7 +52,7 @@ fn reaches(lamp: Lamp, p: vec3f) -> f32 {
     let terms = abs(deeper.xyz * p);
     let size = hold(hold(terms.x + terms.y) + terms.z) + abs(deeper.w);
     let rounded = ROUNDED + hold(ROUNDED * hold(size / w));
-    let bias = max(hold(bitcast<f32>(texel(lenses, by + 5u).z) / hold(w * w)), rounded);
+    let bias = max(hold(bitcast<f32>(texel(lenses, by + 5u).z) / w), rounded);
     let depth = u32(clamp(hold(z / w) - bias, 0.0, 1.0) * f32(DEEP));
     var open = 0;
     for (var j = -BLUR; j <= BLUR; j++) {

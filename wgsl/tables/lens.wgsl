@@ -16,7 +16,7 @@ struct Lens {
     // Zero, which no compiler can know: what floats are fenced with.
     zero: u32,
     // How much farther along the lens's axis than its caster a point may lie and be lit all the same, in clip z where w
-    // is 1; of an eye, a way of length one.
+    // is 1; of an eye, as far as it sees across there.
     bias: f32,
     // Added to every depth for each unit that it climbs from pixel to pixel, in 1/256.
     slope: u32,

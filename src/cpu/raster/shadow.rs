@@ -28,7 +28,8 @@ fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
 const ROUNDED: f32 = 2.384_185_8e-7;
 
 /// Depths are compared as they were drawn, in integers. What the slope makes of a texel is in the drawn ones; the bias is
-/// taken from the point's: a way along the lens's axis, of which far depths show less by the square of their distance.
+/// taken from the point's: a share of what the lens sees across there, which grows with the distance, while depths show
+/// less of a way by its square.
 #[must_use]
 pub fn reaches(
     lenses: &[Lens],
@@ -54,7 +55,7 @@ pub fn reaches(
     let row = ((0.5 - c.y / c.w * 0.5) * height as f32).floor() as i32;
     let [x, y, z] = (lens.z.truncate() * p).abs().to_array();
     let rounded = ROUNDED + ROUNDED * ((((x + y) + z) + lens.z.w.abs()) / c.w);
-    let bias = (lens.bias / (c.w * c.w)).max(rounded);
+    let bias = (lens.bias / c.w).max(rounded);
     let depth = ((c.z / c.w - bias).clamp(0.0, 1.0) * DEEP as f32) as u32;
     let blur = blur as i32;
     let mut open = 0;

@@ -15,13 +15,16 @@ pub struct Raster {
     /// Width and height of a light's shadow map, in texels; halved while all lights' together need more than 128
     /// MiB. 2048 unless given. A point light has six, whose depths begin at a hundredth of the distance to the scene's
     /// far side, or nearer where something is: down to a hundred thousandth of it, before which nothing casts a shadow.
+    /// There is room for 32 maps; lights after those cast no shadows, and a note says so. Infinite planes cast shadows as
+    /// far as the maps reach, which is around all other things.
     pub shadow_size: ShadowSize,
     /// What a light still counts for where it is shadowed. 0.3 unless given.
     pub shadow: Weight,
-    /// How much farther from the light than its caster a point must lie to be shadowed, as a share of the scene's size
-    /// without infinite planes, beside the part that follows from the slope by itself. 0.0005 unless given.
+    /// How much farther from the light than its caster a point must lie to be shadowed, as a share of what the light's
+    /// shadow map shows across there, beside the part that follows from the slope by itself. 0.0005 unless given.
     pub bias: Weight,
-    /// Texels around a point's own that are asked for its shadow, in each direction: soft edges. 1 unless given.
+    /// Texels around a point's own that are asked for its shadow, in each direction: soft edges (percentage-closer
+    /// filtering). 1 unless given.
     pub blur: Blur,
     /// Added to every color. Black unless given.
     pub ambient: Color,
