@@ -21,7 +21,7 @@ pub struct First {
     pub depth: f32,
     /// Of length one and towards the eye; zero where nothing is.
     pub normal: Vec3,
-    /// The surface's own.
+    /// The surface's own, by the weight of its local light.
     pub albedo: Vec3,
     /// From 0 to 1.
     pub shadow: f32,
@@ -53,5 +53,5 @@ fn at(tables: &Tables, pixel: u32, stack: &mut [[u32; 2]]) -> First {
     });
     let shadow = open.count() as f32 / tables.lights.len().max(1) as f32;
     let depth = (surface.point - tables.view.eye).dot(-tables.view.back);
-    First { depth, normal: surface.shading, albedo: surface.material.color, shadow }
+    First { depth, normal: surface.shading, albedo: surface.material.color * surface.material.local_weight, shadow }
 }

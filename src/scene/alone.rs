@@ -74,6 +74,9 @@ pub(super) fn text(scene: &Scene, name: &str) -> String {
     text + &format!("\n[[object.mesh]]\npath = {}\n", Held::Word(name.to_owned()).to_toml())
 }
 
+/// How far the ground lies below the lowest point, in radii: many models have a floor, which would be half hidden.
+const BELOW: f32 = 1e-3;
+
 fn around(model: Arc<Model>) -> Scene {
     let seen = model.triangles.iter().flat_map(|t| t.corners).map(|c| model.positions[c.position as usize]);
     let (low, high) = seen.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
@@ -131,7 +134,12 @@ fn around(model: Arc<Model>) -> Scene {
             Light::Directional { toward: direction(-1.0, 0.5, 0.6), power: Vec3::splat(0.25), camera: None },
         ],
         spheres: Vec::new(),
-        planes: vec![Plane { point: Vec3::new(0.0, low.y, 0.0), normal: Vec3::Y, material: 0, tile: 1.0 }],
+        planes: vec![Plane {
+            point: Vec3::new(0.0, low.y - radius * BELOW, 0.0),
+            normal: Vec3::Y,
+            material: 0,
+            tile: 1.0,
+        }],
         triangles: Vec::new(),
         meshes: vec![Mesh::of(model)],
     }

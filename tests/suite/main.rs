@@ -4,6 +4,7 @@
 //! fault beside it (`mutants.rs`, `compare.rs`) shows that it sees.
 
 mod agree;
+mod alone;
 mod analytic;
 mod animation;
 mod branches;
