@@ -25,6 +25,8 @@ pub(super) struct Resolver<'a> {
     pub(super) name: &'a Path,
     pub(super) complain: &'a dyn Fn(Range<usize>, &str) -> Error,
     pub(super) reach: &'a Reach,
+    /// Whether a film that does not fit is none that will be made.
+    pub(super) any_size: bool,
     pub(super) models: &'a Models,
     pub(super) pictures: &'a Read,
 }
@@ -184,7 +186,9 @@ impl Resolver<'_> {
 
     fn film(&self, film: &file::Film) -> Result<FilmSettings, Error> {
         let size = film.size.get().0.map(|side| side.0);
-        if let Err(error) = fits(size, self.reach) {
+        if !self.any_size
+            && let Err(error) = fits(size, self.reach)
+        {
             let refused = self.refuse(&film.size, &error.to_string());
             return refused.map_err(|told| if matches!(error, Error::Pixels(_)) { told } else { told.of_memory() });
         }

@@ -185,6 +185,18 @@ impl Source {
     /// # Errors
     /// If what the animation puts in is not right there, or what the scene names cannot be read.
     pub fn scene(&self, frame: i64) -> Result<Scene, Error> {
+        self.resolved(frame, false)
+    }
+
+    /// The same, however large its film is: for who gives it another size.
+    ///
+    /// # Errors
+    /// As [`scene`](Self::scene), but for the film's size.
+    pub fn scene_to_resize(&self, frame: i64) -> Result<Scene, Error> {
+        self.resolved(frame, true)
+    }
+
+    fn resolved(&self, frame: i64, any_size: bool) -> Result<Scene, Error> {
         if let Some(scene) = &self.alone {
             return Ok((**scene).clone());
         }
@@ -201,6 +213,7 @@ impl Source {
             complain: &complain,
             name: &self.home,
             reach: &self.reach,
+            any_size,
             models: &self.models,
             pictures: &self.pictures,
         }

@@ -21,9 +21,13 @@ struct Reading<'m> {
     module: &'m Module,
     function: &'m Function,
     arguments: &'m [On],
-    /// Of local variables: whatever is stored there, together.
-    locals: HashMap<Handle<naga::LocalVariable>, On>,
+    /// Of local variables: what is stored there, at first all of it together, then what is there at a place.
+    locals: Locals,
+    /// Of what has been worked out on the way: a variable may have another value since.
+    known: HashMap<Handle<Expression>, On>,
 }
+
+type Locals = HashMap<Handle<naga::LocalVariable>, On>;
 
 impl Reading<'_> {
     /// A uniform at a place that is known beforehand, or a local variable.
@@ -44,6 +48,9 @@ impl Reading<'_> {
     }
 
     fn on(&self, value: Handle<Expression>) -> On {
+        if let Some(&on) = self.known.get(&value) {
+            return on;
+        }
         let all = |values: &[Handle<Expression>]| values.iter().map(|v| self.on(*v)).max().unwrap_or(On::Constants);
         match &self.function.expressions[value] {
             Expression::Literal(_) | Expression::Constant(_) | Expression::ZeroValue(_) => On::Constants,
@@ -100,47 +107,125 @@ impl Reading<'_> {
     }
 }
 
+impl Reading<'_> {
+    /// Finds what local variables hang on, wherever they are read.
+    fn settle(&mut self) {
+        for (variable, local) in self.function.local_variables.iter() {
+            let on = local.init.map_or(On::Constants, |init| self.on(init));
+            self.locals.insert(variable, on);
+        }
+        // What is stored may hang on what is stored elsewhere: until nothing changes. A pointer that is handed on counts
+        // as a store of anything.
+        loop {
+            let before = self.locals.clone();
+            let mut stores = Vec::new();
+            self.each(&self.function.body, On::Constants, &mut |statement, under| match statement {
+                Statement::Store { pointer, value } => stores.push((*pointer, under.max(self.on(*value)))),
+                Statement::Call { arguments, .. } => stores.extend(arguments.iter().map(|a| (*a, On::More))),
+                _ => {}
+            });
+            for (pointer, on) in stores {
+                if let Some(variable) = self.local(pointer) {
+                    let known = self.locals.entry(variable).or_insert(on);
+                    *known = on.max(*known);
+                }
+            }
+            if before == self.locals {
+                return;
+            }
+        }
+    }
+
+    /// Goes through a block from its begin to its end, with what each variable hangs on there: in the first turn of a loop
+    /// that is written out, a variable is still what it was set to. `settled` is what it hangs on anywhere.
+    fn go(&mut self, block: &Block, settled: &Locals, found: &mut Vec<String>) {
+        let name = self.function.name.clone().unwrap_or_default();
+        for statement in block {
+            match statement {
+                Statement::Emit(range) => {
+                    for value in range.clone() {
+                        let on = self.on(value);
+                        self.known.insert(value, on);
+                    }
+                }
+                Statement::Store { pointer, value } => {
+                    let on = self.on(*value);
+                    match (self.local(*pointer), &self.function.expressions[*pointer]) {
+                        (Some(variable), Expression::LocalVariable(_)) => drop(self.locals.insert(variable, on)),
+                        // A part of it.
+                        (Some(variable), _) => {
+                            drop(self.locals.entry(variable).and_modify(|old| *old = on.max(*old)))
+                        }
+                        _ => {}
+                    }
+                }
+                Statement::Call { function, arguments, .. } => {
+                    let own: Vec<_> = arguments.iter().map(|a| self.on(*a)).collect();
+                    let handed: Vec<_> = arguments.iter().filter_map(|a| self.local(*a)).collect();
+                    for variable in handed {
+                        self.locals.insert(variable, On::More);
+                    }
+                    read(self.module, &self.module.functions[*function], &own, found);
+                }
+                Statement::Block(block) => self.go(block, settled, found),
+                Statement::If { condition, accept, reject } => {
+                    let on = self.on(*condition);
+                    if on == On::Uniforms {
+                        found.push(format!("{name}: if"));
+                    }
+                    self.part(on, &[accept, reject], settled, found);
+                }
+                Statement::Switch { selector, cases } => {
+                    let on = self.on(*selector);
+                    if on == On::Uniforms {
+                        found.push(format!("{name}: switch"));
+                    }
+                    let bodies: Vec<&Block> = cases.iter().map(|case| &case.body).collect();
+                    self.part(on, &bodies, settled, found);
+                }
+                Statement::Loop { body, continuing, .. } => {
+                    self.locals.clone_from(settled);
+                    self.go(body, settled, found);
+                    self.go(continuing, settled, found);
+                    self.locals.clone_from(settled);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Goes through blocks of which one is taken: what is stored in any of them hangs on the choice, too.
+    fn part(&mut self, on: On, blocks: &[&Block], settled: &Locals, found: &mut Vec<String>) {
+        let before = self.locals.clone();
+        let mut after = before.clone();
+        for block in blocks {
+            self.locals.clone_from(&before);
+            self.go(block, settled, found);
+            let mut stored = Vec::new();
+            self.each(block, On::Constants, &mut |statement, _| match statement {
+                Statement::Store { pointer, .. } => stored.extend(self.local(*pointer)),
+                Statement::Call { arguments, .. } => stored.extend(arguments.iter().filter_map(|a| self.local(*a))),
+                _ => {}
+            });
+            for variable in stored {
+                let then = self.locals[&variable].max(on);
+                after.entry(variable).and_modify(|all| *all = then.max(*all));
+            }
+        }
+        self.locals = after;
+    }
+}
+
 /// Fills what hangs on uniforms alone into `found`, function by function from `function` down.
 fn read(module: &Module, function: &Function, arguments: &[On], found: &mut Vec<String>) {
-    let mut reading = Reading { module, function, arguments, locals: HashMap::new() };
+    let mut reading = Reading { module, function, arguments, locals: HashMap::new(), known: HashMap::new() };
+    reading.settle();
+    let settled = reading.locals.clone();
     for (variable, local) in function.local_variables.iter() {
         let on = local.init.map_or(On::Constants, |init| reading.on(init));
         reading.locals.insert(variable, on);
     }
-    // What is stored may hang on what is stored elsewhere: until nothing changes. A pointer that is handed on counts as
-    // a store of anything.
-    loop {
-        let before = reading.locals.clone();
-        let mut stores = Vec::new();
-        reading.each(&function.body, On::Constants, &mut |statement, under| match statement {
-            Statement::Store { pointer, value } => stores.push((*pointer, under.max(reading.on(*value)))),
-            Statement::Call { arguments, .. } => stores.extend(arguments.iter().map(|a| (*a, On::More))),
-            _ => {}
-        });
-        for (pointer, on) in stores {
-            if let Some(variable) = reading.local(pointer) {
-                let known = reading.locals.entry(variable).or_insert(on);
-                *known = on.max(*known);
-            }
-        }
-        if before == reading.locals {
-            break;
-        }
-    }
-    let name = function.name.as_deref().unwrap_or("?");
-    reading.each(&function.body, On::Constants, &mut |statement, _| match statement {
-        Statement::If { condition, .. } if reading.on(*condition) == On::Uniforms => {
-            found.push(format!("{name}: if"));
-        }
-        Statement::Switch { selector, .. } if reading.on(*selector) == On::Uniforms => {
-            found.push(format!("{name}: switch"));
-        }
-        Statement::Call { function, arguments, .. } => {
-            let arguments: Vec<_> = arguments.iter().map(|a| reading.on(*a)).collect();
-            read(module, &module.functions[*function], &arguments, found);
-        }
-        _ => {}
-    });
+    reading.go(&function.body, &settled, found);
 }
 
 fn on_uniforms_alone(module: &Module) -> Vec<String> {
@@ -175,6 +260,7 @@ fn branches_that_hang_on_uniforms_alone_are_seen() {
         ("for (var i = 0u; i < by.count; i++) { sums[lane] += i; }", 1),
         ("switch (by.kind) { case 1u: { sums[lane] = 1u; } default: {} }", 1),
         ("sums[lane] = kind_of(by.kind);", 1),
+        ("var i = 0u; if (i < by.count) { i = lane; } if (i < by.count) { sums[lane] = i; }", 1),
         ("if (lane < by.count) { sums[lane] = kind_of(lane); }", 0),
         ("for (var i = lane; i < by.count; i++) { sums[lane] += select(i, 1u, by.kind == 1u); }", 0),
         ("sums[lane] = kind_of(4u); for (var i = 0u; i < 4u; i++) { sums[i] = i; }", 0),

@@ -151,3 +151,16 @@ fn bands_that_were_made_are_not_made_again() {
     left.retain(|name| !name.starts_with(".twinlight-"));
     assert_eq!(left, ["a.png", "whole.png"]);
 }
+
+#[test]
+fn a_film_that_does_not_fit_is_made_smaller() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let large = ["--set", "film.size=[8000, 8000]", "--max-memory", "8M", "--samples", "1", "--backend", "cpu"];
+    let ask = |more: &[&str]| {
+        run(folder.path(), &["render", &scene("room.toml"), "-o", "a.png"], &[&large, more].concat())
+    };
+    let refused = ask(&[]);
+    assert_eq!(refused.status.code(), Some(6), "{refused:?}");
+    let made = ask(&["--size", "31x23"]);
+    assert!(made.status.success(), "{made:?}");
+}

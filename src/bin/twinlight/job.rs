@@ -85,10 +85,14 @@ pub(crate) struct Job {
 impl Job {
     /// A frame's scene as the command line wants it, and the method.
     pub(crate) fn scene(&self, source: &Source, frame: i64) -> Result<(Scene, Method), Failure> {
-        let mut scene = source.scene(frame)?;
-        if let Some(size) = self.size {
-            scene.resize_within(size, &self.input.reach())?;
-        }
+        let mut scene = match self.size {
+            None => source.scene(frame)?,
+            Some(size) => {
+                let mut scene = source.scene_to_resize(frame)?;
+                scene.resize_within(size, &self.input.reach())?;
+                scene
+            }
+        };
         scene.trace.samples = self.samples.unwrap_or(scene.trace.samples);
         if let Some(samples) = self.samples {
             scene.raster.samples = samples.isqrt().min(16).pow(2);
