@@ -150,13 +150,10 @@ impl Reading<'_> {
                 }
                 Statement::Store { pointer, value } => {
                     let on = self.on(*value);
-                    match (self.local(*pointer), &self.function.expressions[*pointer]) {
-                        (Some(variable), Expression::LocalVariable(_)) => drop(self.locals.insert(variable, on)),
-                        // A part of it.
-                        (Some(variable), _) => {
-                            drop(self.locals.entry(variable).and_modify(|old| *old = on.max(*old)))
-                        }
-                        _ => {}
+                    let all_of_it = matches!(self.function.expressions[*pointer], Expression::LocalVariable(_));
+                    if let Some(variable) = self.local(*pointer) {
+                        let old = if all_of_it { On::Constants } else { self.locals[&variable] };
+                        self.locals.insert(variable, on.max(old));
                     }
                 }
                 Statement::Call { function, arguments, .. } => {
