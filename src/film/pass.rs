@@ -12,7 +12,7 @@ pub enum Pass {
     Depth,
     /// The shading normal, in world space; zero where nothing is.
     Normal,
-    /// The surface's own color.
+    /// The surface's own color, by the weight of its local light.
     Albedo,
     /// The share of the lights that reaches a point; zero where nothing is.
     Shadow,

@@ -25,6 +25,13 @@ const NEAR: f32 = 1e-2;
 /// The least such share: the bias must stay above what f32 rounds off a depth.
 const LEAST_NEAR: f32 = 1e-5;
 
+/// How many times as far as the point that is looked at middle gray may lie, where depths are shown.
+const FARTHER: f32 = 8.0;
+
+/// What f32 rounds off corners far away, in shares of their distance and of that where depths begin: a face that is cut
+/// there is off by so much.
+const CUT: f32 = 5.0 / 16_777_216.0;
+
 /// A sphere around all that is drawn but infinite planes.
 #[derive(Debug, Clone, Copy)]
 struct Bounds {
@@ -158,6 +165,9 @@ fn view(camera: &Camera, aspect: f32, film: [u32; 2], region: &[Range<u32>; 2], 
 fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
     let settings = &scene.raster;
     let eye = scene.camera.position;
+    let ahead = eye.distance(scene.camera.look_at);
+    // As far as the scene's things, but not a sky's or a wide floor's.
+    let reach = bounds.map_or(ahead, |b| eye.distance(b.center).max(b.radius).clamp(ahead, ahead * FARTHER));
     Canvas {
         eye,
         lamps: scene.lights.len() as u32,
@@ -185,7 +195,7 @@ fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
             Show::Tiles => tables::SHOW_TILES,
             Show::Wire => tables::SHOW_WIRE,
         },
-        reach: bounds.map_or(eye.distance(scene.camera.look_at), |b| eye.distance(b.center).max(b.radius)),
+        reach,
     }
 }
 
@@ -201,23 +211,27 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
             Light::Point { position, power } => (position, tables::POINT, power),
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
-        let seen = match (light, bounds) {
+        let far = |from: Vec3| bounds.map_or(0.0, |b| from.distance(b.center) + b.radius);
+        // What cutting is off by, as a share of what is seen across.
+        let off = |from: Vec3, near: f32, half: f32| CUT * far(from) / (near * 2.0 * half);
+        let (seen, off) = match (light, bounds) {
             (Light::Directional { camera: Some(camera), .. }, _) => {
-                vec![view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2])]
+                let lens = view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2]);
+                (vec![lens], off(camera.position, camera.near, (camera.fov / 2.0).tan()))
             }
-            (Light::Directional { .. }, Some(b)) => vec![beam(place, b, side)],
-            (Light::Point { .. }, Some(b)) => {
-                let far = place.distance(b.center) + b.radius;
-                cube(place, [near_of(drawing, place, far), far], side)
+            (Light::Directional { .. }, Some(b)) => (vec![beam(place, b, side)], 0.0),
+            (Light::Point { .. }, Some(_)) => {
+                let (near, far) = (near_of(drawing, place, far(place)), far(place));
+                (cube(place, [near, far], side), off(place, near, 1.0))
             }
-            (_, None) => Vec::new(),
+            (_, None) => (Vec::new(), 0.0),
         };
         let room = drawing.lenses.len() + seen.len() <= MOST_LENSES as usize && !seen.is_empty();
         let lens = if room { drawing.lenses.len() as u32 } else { NONE };
         drawing.lamps.push(Lamp { place, kind, power, lens });
         for mut lens in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
-            lens.bias *= scene.raster.bias;
+            lens.bias *= scene.raster.bias + off;
             // A texel each way, and as many more as are asked around it.
             lens.slope = 256 * (1 + scene.raster.blur);
             drawing.lenses.push(lens);

@@ -110,7 +110,8 @@ fn bend(index: f32, inside: u32, degrees: f64) -> (Vec3, twinlight::cpu::trace::
         shading: Vec3::Y,
         material: glass(index),
         specular: Vec3::ONE,
-        off: Vec3::ZERO,
+        margin: 0.0,
+        back: Vec3::ZERO,
     };
     (direction, scatter(direction, inside, &surface, Vec2::splat(0.5)))
 }

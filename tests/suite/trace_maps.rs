@@ -97,8 +97,15 @@ fn bent_normals_send_no_ray_to_the_wrong_side() {
             behavior: [MIRROR, GLASS][i % 2],
         };
         let shading = dice.direction();
-        let surface =
-            Surface { point: Vec3::ZERO, normal, shading, material, specular: Vec3::ONE, off: Vec3::ZERO };
+        let surface = Surface {
+            point: Vec3::ZERO,
+            normal,
+            shading,
+            material,
+            specular: Vec3::ONE,
+            margin: 0.0,
+            back: Vec3::ZERO,
+        };
         let ways = scatter(direction, (i / 2 % 2) as u32, &surface, Vec2::ZERO);
         assert!(ways.reflected.direction.dot(normal) > -1e-6, "{surface:?} {ways:?}");
         if ways.refracted.weight != Vec3::ZERO {

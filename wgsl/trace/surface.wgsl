@@ -14,14 +14,18 @@ struct Surface {
     material: Material,
     // Weight of the specular term.
     specular: vec3f,
-    // How far off the point rays start that go on before the primitive: along its normal, and back along the ray that came,
-    // off the neighbors of a triangle, which are off by rounding. Of what has no neighbors, nothing.
-    off: vec3f,
+    // How far off the point rays start: triangles have neighbors, of which some are off by rounding.
+    margin: f32,
+    // Back along the ray that came, of length one.
+    back: vec3f,
 }
 
 // Where a ray starts that goes on this way.
 fn start_of(surface: Surface, way: vec3f) -> vec3f {
-    return surface.point + select(surface.off, -surface.off, dot(way, surface.normal) < 0.0);
+    // Half of it back along the ray: so it is off the wall beside an edge, too, and through no thin sheet.
+    let before = (surface.normal + surface.back) * 0.5;
+    let off = select(before, -surface.normal, dot(way, surface.normal) < 0.0);
+    return select(surface.point, surface.point + off * surface.margin, surface.margin > 0.0);
 }
 
 // The point is put back onto the primitive, so that its error does not grow with the ray's length.
@@ -56,6 +60,5 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
     material.exponent = detail.look.exponent;
     let size = dot(material.color, material.color);
     material.tint = select(vec3f(0.0), unit(material.color), size > 0.0);
-    let off = select(vec3f(0.0), (normal - unit(ray.direction)) * margin, margin > 0.0);
-    return Surface(point, normal, shading, material, detail.look.specular, off);
+    return Surface(point, normal, shading, material, detail.look.specular, margin, -unit(ray.direction));
 }

@@ -94,5 +94,5 @@ fn surface_of(ray: Ray, t: f32, hit: u32) -> Surface {
     material.index = select(material.index, own.materials[$i].index, number == $iu);
     material.behavior = select(material.behavior, own.materials[$i].behavior, number == $iu);
     #end
-    return Surface(point, normal, normal, material, vec3f(1.0), vec3f(0.0));
+    return Surface(point, normal, normal, material, vec3f(1.0), 0.0, vec3f(0.0));
 }

@@ -22,15 +22,19 @@ pub struct Surface {
     pub material: Material,
     /// Weight of the specular term.
     pub specular: Vec3,
-    /// How far off the point rays start that go on before the primitive: along its normal, and back along the ray that came,
-    /// off the neighbors of a triangle, which are off by rounding. Of what has no neighbors, nothing.
-    pub off: Vec3,
+    /// How far off the point rays start: triangles have neighbors, of which some are off by rounding.
+    pub margin: f32,
+    /// Back along the ray that came, of length one.
+    pub back: Vec3,
 }
 
 /// Where a ray starts that goes on this way.
 #[must_use]
 pub fn start_of(surface: &Surface, way: Vec3) -> Vec3 {
-    if way.dot(surface.normal) < 0.0 { surface.point - surface.off } else { surface.point + surface.off }
+    // Half of it back along the ray: so it is off the wall beside an edge, too, and through no thin sheet.
+    let before = (surface.normal + surface.back) * 0.5;
+    let off = if way.dot(surface.normal) < 0.0 { -surface.normal } else { before };
+    if surface.margin > 0.0 { surface.point + off * surface.margin } else { surface.point }
 }
 
 /// The point is put back onto the primitive, so that its error does not grow with the ray's length.
@@ -65,6 +69,6 @@ pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32, witness: &mut imp
     material.exponent = detail.look.exponent;
     let size = material.color.dot(material.color);
     material.tint = if size > 0.0 { unit(material.color) } else { Vec3::ZERO };
-    let off = if margin > 0.0 { (normal - unit(ray.direction)) * margin } else { Vec3::ZERO };
-    Surface { point, normal, shading, material, specular: detail.look.specular, off }
+    let back = -unit(ray.direction);
+    Surface { point, normal, shading, material, specular: detail.look.specular, margin, back }
 }

@@ -56,5 +56,5 @@ pub fn surface_of(tables: &Tables, ray: Ray, t: f32, hit: u32) -> Surface {
         normal = -normal;
     }
     let material = tables.materials[material as usize];
-    Surface { point, normal, shading: normal, material, specular: Vec3::ONE, off: Vec3::ZERO }
+    Surface { point, normal, shading: normal, material, specular: Vec3::ONE, margin: 0.0, back: Vec3::ZERO }
 }

@@ -42,8 +42,11 @@ fn grow(binary: &Binary, ways: &Ways, branch: Branch) -> Grown {
     let below: Vec<_> = inner.into_par_iter().map(|(at, branch)| (at, grow(binary, ways, branch))).collect();
     for (at, below) in below {
         let (first_node, first_leaf) = ((grown.nodes.len() - BELOW) as u32, grown.order.len() as u32);
-        let moved =
-            |node: &Node| Node { children: node.children + first_node, leaves: node.leaves + first_leaf, ..*node };
+        let moved = |node: &Node| match node.inner | node.held {
+            // A place of none.
+            0 => *node,
+            _ => Node { children: node.children + first_node, leaves: node.leaves + first_leaf, ..*node },
+        };
         let mut nodes = below.nodes.iter().map(moved);
         grown.nodes[at] = nodes.next().unwrap_or_else(Node::zeroed);
         grown.nodes.extend(nodes.skip(BELOW - 1));

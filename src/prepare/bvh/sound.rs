@@ -1,5 +1,7 @@
 //! a tree from elsewhere -> whether a walk through it ends, and meets each box once
 
+use bytemuck::Zeroable as _;
+
 use super::Tree;
 use super::pack::in_octants;
 use crate::tables::Node;
@@ -18,7 +20,7 @@ pub(super) fn is_sound(tree: &Tree) -> bool {
     }
     let all = tree.order.iter().all(|&i| take(&mut order, i as usize).is_some());
     // Between nodes lie places of none.
-    let none = tree.nodes.iter().zip(&left.nodes).all(|(node, left)| !left || node.inner | node.held == 0);
+    let none = tree.nodes.iter().zip(&left.nodes).all(|(node, left)| !left || *node == Node::zeroed());
     all && deep == tree.deep && none && left.leaves.iter().all(|left| !left)
 }
 
@@ -36,7 +38,8 @@ struct Left {
 impl Left {
     /// Takes a node's leaves, and says which nodes are its children; nothing if it has what it cannot have.
     fn children(&mut self, node: &Node) -> Option<Vec<usize>> {
-        if node.inner != in_octants(node.inner & 255) || node.held >> 24 != 0 {
+        let within = node.children as usize <= self.nodes.len() && node.leaves as usize <= self.leaves.len();
+        if !within || node.inner != in_octants(node.inner & 255) || node.held >> 24 != 0 {
             return None;
         }
         let (mut children, mut leaves) = (Vec::new(), node.leaves as usize);
