@@ -40,6 +40,7 @@ mod parts;
 mod plain;
 mod power;
 mod quotient;
+mod raster_closed;
 mod raster_exact;
 mod raster_frames;
 mod raster_lace;
