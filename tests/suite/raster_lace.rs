@@ -134,7 +134,7 @@ fn planted_faults_in_holes_are_seen() {
         ("raster/lace", "k < whole + some", "k < some"),
         ("raster/speck", "select(SMALL, LATE, LACE)", "SMALL"),
         ("raster/speck", "!= 0u) == LACE", "!= 0u) != LACE"),
-        ("shade/texture", "word >> 24u", "word & 255u"),
+        ("shade/texture", "texel_of(level, x, y) >> 24u", "texel_of(level, x, y) & 255u"),
         ("shade/texture", "mixed(low, high, up) >= 0.5", "mixed(low, high, up) >= 0.45"),
     ];
     let gpu = gpu();

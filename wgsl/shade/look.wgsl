@@ -50,23 +50,47 @@ struct Look {
 fn look_of(paint: Paint, uv: vec2f, right: vec2f, down: vec2f) -> Look {
     var look = Look(vec3f(1.0), paint.specular, paint.exponent, vec3f(0.0, 0.0, 1.0));
     #repeat colors
+    var color: Sample;
     if (paint.diffuse_map.first != NONE) {
-        look.color = sample_map(paint.diffuse_map, uv, right, down, true);
+        color = sample_at(paint.diffuse_map, uv, right, down);
+    }
+    #end
+    #repeat gloss
+    var gloss: Sample;
+    if (paint.specular_map.first != NONE) {
+        gloss = sample_at(paint.specular_map, uv, right, down);
+    }
+    #end
+    #repeat sharpness
+    var sharpness: Sample;
+    if (paint.exponent_map.first != NONE) {
+        sharpness = sample_at(paint.exponent_map, uv, right, down);
+    }
+    #end
+    #repeat bumps
+    var bump: Sample;
+    if (paint.normal_map.first != NONE) {
+        bump = sample_at(paint.normal_map, uv, right, down);
+    }
+    #end
+    #repeat colors
+    if (paint.diffuse_map.first != NONE) {
+        look.color = color_of_sample(color, true);
     }
     #end
     #repeat gloss
     if (paint.specular_map.first != NONE) {
-        look.specular *= sample_map(paint.specular_map, uv, right, down, false);
+        look.specular *= color_of_sample(gloss, false);
     }
     #end
     #repeat sharpness
     if (paint.exponent_map.first != NONE) {
-        look.exponent *= sample_map(paint.exponent_map, uv, right, down, false).x;
+        look.exponent *= color_of_sample(sharpness, false).x;
     }
     #end
     #repeat bumps
     if (paint.normal_map.first != NONE) {
-        let map = sample_map(paint.normal_map, uv, right, down, false) * 2.0 - 1.0;
+        let map = color_of_sample(bump, false) * 2.0 - 1.0;
         look.tangent = vec3f(map.xy * paint.bump, map.z);
     }
     #end

@@ -46,11 +46,15 @@ fn wrapped(x: i32, size: i32, clamped: bool) -> i32 {
     return x + select(select(0, -step, x >= size), step, x < 0);
 }
 
-// A texel by column and row from the lower left.
-fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
+// A texel by column and row from the lower left, as it is kept.
+fn texel_of(level: Level, x: i32, y: i32) -> u32 {
     let column = wrapped(x, level.width, level.clamped);
     let row = level.height - 1 - wrapped(y, level.height, level.clamped);
-    let word = word_of(texels, level.first + u32(row * level.width + column));
+    return word_of(texels, level.first + u32(row * level.width + column));
+}
+
+// Its color.
+fn decoded(word: u32, decode: bool) -> vec3f {
     let bytes = vec3u(word & 255u, (word >> 8u) & 255u, (word >> 16u) & 255u);
     if (decode) {
         return bitcast<vec3f>(vec3u(word_of(texels, bytes.x), word_of(texels, bytes.y), word_of(texels, bytes.z)));
@@ -60,9 +64,7 @@ fn texel_of(level: Level, x: i32, y: i32, decode: bool) -> vec3f {
 
 // Its alpha.
 fn alpha_of(level: Level, x: i32, y: i32) -> f32 {
-    let row = level.height - 1 - wrapped(y, level.height, level.clamped);
-    let word = word_of(texels, level.first + u32(row * level.width + wrapped(x, level.width, level.clamped)));
-    return f32(word >> 24u) / 255.0;
+    return f32(texel_of(level, x, y) >> 24u) / 255.0;
 }
 
 fn blend(p: vec3f, q: vec3f, share: f32) -> vec3f {
@@ -70,28 +72,54 @@ fn blend(p: vec3f, q: vec3f, share: f32) -> vec3f {
     return p + vec3f(hold(way.x * share), hold(way.y * share), hold(way.z * share));
 }
 
-fn bilinear(level: Level, u: f32, v: f32, decode: bool) -> vec3f {
+// The texels around a place on a level: the lower left, the one right of it, and the two above; and how far it is from
+// the first to the others. Of NEAREST the first alone.
+struct Taps {
+    texels: vec4u,
+    across: f32,
+    up: f32,
+}
+
+fn taps_at(level: Level, u: f32, v: f32) -> Taps {
+    if (FILTERING == NEAREST) {
+        return Taps(vec4u(texel_of(level, i32(u * f32(level.width)), i32(v * f32(level.height)))), 0.0, 0.0);
+    }
     let x = hold(u * f32(level.width)) - 0.5;
     let y = hold(v * f32(level.height)) - 0.5;
     let column = i32(floor(x));
     let row = i32(floor(y));
-    let across = x - floor(x);
-    let low = blend(texel_of(level, column, row, decode), texel_of(level, column + 1, row, decode), across);
-    let high = blend(texel_of(level, column, row + 1, decode), texel_of(level, column + 1, row + 1, decode), across);
-    return blend(low, high, y - floor(y));
+    let low = vec2u(texel_of(level, column, row), texel_of(level, column + 1, row));
+    let high = vec2u(texel_of(level, column, row + 1), texel_of(level, column + 1, row + 1));
+    return Taps(vec4u(low, high), x - floor(x), y - floor(y));
+}
+
+fn color_of_taps(t: Taps, decode: bool) -> vec3f {
+    let first = decoded(t.texels.x, decode);
+    if (FILTERING == NEAREST) {
+        return first;
+    }
+    let low = blend(first, decoded(t.texels.y, decode), t.across);
+    let high = blend(decoded(t.texels.z, decode), decoded(t.texels.w, decode), t.across);
+    return blend(low, high, t.up);
+}
+
+// What is read of a map at a place. A map is read first and its color made of it later, so that the texels of all maps
+// of a place are on their way from memory at the same time.
+struct Sample {
+    near: Taps,
+    // On the next coarser level, and how far the place lies on the way there: of MIPMAP alone.
+    far: Taps,
+    share: f32,
 }
 
 // `right` and `down`: the texture coordinates one pixel further on.
-fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> vec3f {
+fn sample_at(map: Map, uv: vec2f, right: vec2f, down: vec2f) -> Sample {
     let full = vec2f(hold(uv.x * map.scale.x), hold(uv.y * map.scale.y)) + map.shift;
     let u = within(full.x, is_clamped(map));
     let v = within(full.y, is_clamped(map));
     let finest = level_of(map, 0u);
-    if (FILTERING == NEAREST) {
-        return texel_of(finest, i32(u * f32(map.width)), i32(v * f32(map.height)), decode);
-    }
-    if (FILTERING == BILINEAR) {
-        return bilinear(finest, u, v, decode);
+    if (FILTERING != MIPMAP) {
+        return Sample(taps_at(finest, u, v), Taps(), 0.0);
     }
     let size = map.scale * vec2f(f32(map.width), f32(map.height));
     let dx = (right - uv) * size;
@@ -103,10 +131,17 @@ fn sample_map(map: Map, uv: vec2f, right: vec2f, down: vec2f, decode: bool) -> v
     let levels = map.levels & ~CLAMPED;
     let detail = clamp(0.5 * log2_exact(stride), 0.0, f32(levels - 1u));
     let fine = u32(detail);
-    let near = bilinear(level_of(map, fine), u, v, decode);
     // Past the coarsest there is nothing to blend with, and nothing left of the way there.
-    let far = bilinear(level_of(map, min(fine + 1u, levels - 1u)), u, v, decode);
-    return blend(near, far, detail - floor(detail));
+    let far = level_of(map, min(fine + 1u, levels - 1u));
+    return Sample(taps_at(level_of(map, fine), u, v), taps_at(far, u, v), detail - floor(detail));
+}
+
+fn color_of_sample(s: Sample, decode: bool) -> vec3f {
+    let near = color_of_taps(s.near, decode);
+    if (FILTERING != MIPMAP) {
+        return near;
+    }
+    return blend(near, color_of_taps(s.far, decode), s.share);
 }
 
 // Whether a face with this opacity map is there: what is half transparent is. Read from the finest level.
