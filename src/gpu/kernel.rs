@@ -40,7 +40,7 @@ enum Space {
     Uniform,
     Storage { read_only: bool },
     Texture,
-    Image(wgpu::TextureFormat),
+    Image(wgpu::TextureFormat, wgpu::StorageTextureAccess),
 }
 
 /// A compute pipeline made of one file of `wgsl/`.
@@ -168,11 +168,6 @@ impl Kernel {
         Ok(kernel)
     }
 
-    /// Invocations of a workgroup.
-    pub(super) fn group(&self) -> u32 {
-        self.group
-    }
-
     /// Records `invocations` of the kernel, or a few more; returns the number of workgroups.
     ///
     /// # Errors
@@ -268,11 +263,17 @@ fn slots(module: &Module, info: &ModuleInfo) -> Vec<Slot> {
                     Space::Storage { read_only: !access.contains(StorageAccess::STORE) }
                 }
                 AddressSpace::Handle => match module.types[v.ty].inner {
-                    TypeInner::Image { class: ImageClass::Storage { format, .. }, .. } => {
-                        Space::Image(match format {
+                    TypeInner::Image { class: ImageClass::Storage { format, access }, .. } => {
+                        let format = match format {
                             StorageFormat::R32Uint => wgpu::TextureFormat::R32Uint,
                             _ => wgpu::TextureFormat::Rgba32Uint,
-                        })
+                        };
+                        let access = if access.contains(StorageAccess::STORE) {
+                            wgpu::StorageTextureAccess::WriteOnly
+                        } else {
+                            wgpu::StorageTextureAccess::ReadOnly
+                        };
+                        Space::Image(format, access)
                     }
                     _ => Space::Texture,
                 },
@@ -293,11 +294,9 @@ fn layout_entry(slot: &Slot) -> wgpu::BindGroupLayoutEntry {
             view_dimension: wgpu::TextureViewDimension::D2,
             multisampled: false,
         },
-        Space::Image(format) => wgpu::BindingType::StorageTexture {
-            access: wgpu::StorageTextureAccess::ReadOnly,
-            format,
-            view_dimension: wgpu::TextureViewDimension::D2,
-        },
+        Space::Image(format, access) => {
+            wgpu::BindingType::StorageTexture { access, format, view_dimension: wgpu::TextureViewDimension::D2 }
+        }
     };
     wgpu::BindGroupLayoutEntry { binding: slot.binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
 }

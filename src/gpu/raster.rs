@@ -14,7 +14,7 @@ use bytemuck::Zeroable as _;
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
 use crate::raster::Seen;
-use crate::tables::{Canvas, Corner, Drawing, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
+use crate::tables::{Canvas, Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
 use part::{Bound, parts};
 use variant::Laces;
 
@@ -33,6 +33,8 @@ pub struct GpuRaster<'a> {
     kernels: Arc<Kernels>,
     /// The stage `shade`, written out for what the drawing has.
     shader: Kernel,
+    /// The stage `ground`, likewise.
+    ground: Kernel,
     /// For a drawing with cut-out faces.
     laces: Option<Laces>,
     /// Whether cut-out faces are what is drawn.
@@ -96,7 +98,6 @@ struct Kernels {
     cover: [[Kernel; 2]; 2],
     mark: Kernel,
     sift: Kernel,
-    ground: Kernel,
     crowd: Kernel,
     heat: Kernel,
 }
@@ -161,7 +162,6 @@ impl<'a> GpuRaster<'a> {
             ],
             mark: kernel("mark", true)?,
             sift: kernel("sift", true)?,
-            ground: kernel("ground", true)?,
             crowd: kernel("crowd", true)?,
             heat: kernel("heat", true)?,
         };
@@ -178,13 +178,15 @@ impl<'a> GpuRaster<'a> {
 
     fn with(gpu: &'a Gpu, kernels: Arc<Kernels>, drawing: &Drawing, room: Room) -> Result<Self, Error> {
         let [pixels, tiles] = sizes(drawing);
-        let runs = pixels.div_ceil(kernels.sift.group() as usize);
+        let runs = pixels.div_ceil(GROUP as usize);
         let laces = drawing.laced().then(|| kernels.variant.laces(gpu, &kernels.sources, drawing)).transpose()?;
         let shader = kernels.variant.shader(gpu, &kernels.sources, drawing)?;
+        let ground = kernels.variant.ground(gpu, &kernels.sources, drawing)?;
         Ok(Self {
             gpu,
             kernels,
             shader,
+            ground,
             laces,
             in_lace: false,
             parts: parts(gpu, drawing, room.binding)?,
@@ -247,7 +249,8 @@ impl<'a> GpuRaster<'a> {
     /// If the device is lost or does not answer.
     pub fn corners(&mut self) -> Result<Vec<Corner>, Error> {
         self.told()?;
-        let parts: Result<Vec<_>, _> = self.parts.iter().map(|bound| self.gpu.read(&bound.corners)).collect();
+        let read = |bound: &Bound| self.gpu.read_texels(&bound.corners, bound.part.vertices as usize);
+        let parts: Result<Vec<_>, _> = self.parts.iter().map(read).collect();
         Ok(parts?.concat())
     }
 

@@ -20,7 +20,12 @@ fn main(
     if (number < atomicLoad(&tally.bare)) {
         let i = runs[arrayLength(&runs) - 1u - number] * GROUP + lane;
         if (i < lens.width * lens.height) {
-            sums[i] += vec4f(canvas.background, 1.0);
+            let sample = vec4f(canvas.background, 1.0);
+#if once
+            sums[i] = sample;
+#else
+            sums[i] += sample;
+#end
         }
     }
 }

@@ -5,8 +5,7 @@
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 @group(0) @binding(1) var<uniform> part: Part;
-// A corner each, written at once.
-@group(0) @binding(2) var<storage, read_write> corners: array<vec4u>;
+@group(0) @binding(2) var corners: texture_storage_2d<rgba32uint, write>;
 
 @compute @workgroup_size(64)
 fn main(
@@ -20,6 +19,6 @@ fn main(
     let code = outcode(c);
     let corner = vec4u(bitcast<vec3u>(select(vec3i(0), snap(c), code == 0u)), code);
     if (i < part.vertices) {
-        corners[i] = corner;
+        textureStore(corners, vec2u(i % ROW, i / ROW), corner);
     }
 }

@@ -9,23 +9,28 @@
 @group(0) @binding(2) var<storage, read_write> runs: array<u32>;
 @group(0) @binding(3) var<storage, read_write> tally: Tally;
 
-var<workgroup> shown: atomic<u32>;
-
+// A lane looks through a run until it finds a face. With a lane for each pixel, all of a workgroup's would have to wait
+// for the last one, which takes lavapipe longer than all else here.
 @compute @workgroup_size(64)
 fn main(
     @builtin(workgroup_id) group: vec3u,
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let run = group.y * groups.x + group.x;
-    let i = run * GROUP + lane;
+    let run = (group.y * groups.x + group.x) * GROUP + lane;
     let pixels = lens.width * lens.height;
-    if (i < pixels && image[2u * i] != 0u) {
-        atomicStore(&shown, 1u);
+    let end = min((run + 1u) * GROUP, pixels);
+    var i = run * GROUP;
+    var shows = false;
+    loop {
+        shows |= image[2u * i] != 0u;
+        i++;
+        continuing {
+            break if shows || i >= end;
+        }
     }
-    workgroupBarrier();
-    if (lane == 0u && run * GROUP < pixels) {
-        if (atomicLoad(&shown) != 0u) {
+    if (run * GROUP < pixels) {
+        if (shows) {
             runs[atomicAdd(&tally.shown, 1u)] = run;
         } else {
             runs[arrayLength(&runs) - 1u - atomicAdd(&tally.bare, 1u)] = run;

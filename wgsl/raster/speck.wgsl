@@ -5,7 +5,7 @@
 #import "raster/facet.wgsl"
 
 @group(0) @binding(1) var<uniform> part: Part;
-@group(0) @binding(2) var<storage, read> corners: array<Corner>;
+@group(0) @binding(2) var corners: Table;
 
 #if lace
 // Cut-out faces alone, none of which is drawn at once.
@@ -44,13 +44,18 @@ fn small_edge(p: vec2i, q: vec2i) -> vec3i {
     return vec3i(a, b, (select(-1, 0, owned(a, b)) - (a * p.x + b * p.y)) >> 8u);
 }
 
+fn corner_at(i: u32) -> Corner {
+    let row = texel(corners, i);
+    return Corner(bitcast<vec3i>(row.xyz), row.w);
+}
+
 // One straight line without a branch, and under none: lavapipe runs both sides of each, and there reads uniforms lane by
 // lane. Beyond the last face there is nothing.
 fn speck(i: u32) -> Speck {
     let face = face_at(min(i, part.faces - 1u));
-    let ca = corners[face.a];
-    let cb = corners[face.b];
-    let cc = corners[face.c];
+    let ca = corner_at(face.a);
+    let cb = corner_at(face.b);
+    let cc = corner_at(face.c);
     let p = ca.at;
     let whole = span(p, cb.at, cc.at);
     let bounds = on_film(whole);

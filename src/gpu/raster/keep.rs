@@ -3,7 +3,7 @@
 use super::part::parts;
 use super::{GpuRaster, Kernels, sizes};
 use crate::gpu::{Buffer, Error};
-use crate::tables::Drawing;
+use crate::tables::{Drawing, GROUP};
 
 impl GpuRaster<'_> {
     /// Takes up another drawing of the same faces, of whose vertices those before `from` are the same too: what is large
@@ -20,13 +20,14 @@ impl GpuRaster<'_> {
         }
         if pixels > self.sums.len() {
             self.sums = self.gpu.zeroed("sums", pixels)?;
-            self.runs = self.gpu.zeroed("runs", pixels.div_ceil(self.kernels.sift.group() as usize))?;
+            self.runs = self.gpu.zeroed("runs", pixels.div_ceil(GROUP as usize))?;
         }
         if from < drawing.vertices.len() {
             self.parts = parts(self.gpu, drawing, self.binding)?;
         }
         let Kernels { variant, sources, .. } = &*self.kernels;
         self.shader = variant.shader(self.gpu, sources, drawing)?;
+        self.ground = variant.ground(self.gpu, sources, drawing)?;
         if let Some(laces) = &mut self.laces {
             *laces = variant.laces(self.gpu, sources, drawing)?;
         }

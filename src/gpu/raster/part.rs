@@ -10,7 +10,7 @@ pub(super) struct Bound {
     pub(super) about: Buffer<Part>,
     pub(super) vertices: Texels,
     /// Of [`Raster::project`](crate::raster::Raster::project).
-    pub(super) corners: Buffer<Corner>,
+    pub(super) corners: Texels,
     pub(super) faces: Texels,
 }
 
@@ -21,7 +21,7 @@ impl Bound {
             part,
             about: gpu.uniform("part", &part)?,
             vertices: gpu.texels("vertices", vertices)?,
-            corners: gpu.zeroed("corners", vertices.len())?,
+            corners: gpu.blank::<Corner>("corners", vertices.len())?,
             faces: gpu.texels("faces", faces)?,
         })
     }
@@ -30,8 +30,7 @@ impl Bound {
 /// The parts of a drawing, none of which binds more than `most` bytes at once, or than the device can.
 pub(super) fn parts(gpu: &Gpu, drawing: &Drawing, most: u64) -> Result<Vec<Bound>, Error> {
     let table = most.min(gpu.most_texels()) as usize;
-    let buffer = most.min(gpu.device().limits().max_storage_buffer_binding_size) as usize;
-    let most_vertices = (table / size_of::<Vertex>()).min(buffer / size_of::<Corner>());
+    let most_vertices = table / size_of::<Vertex>().max(size_of::<Corner>());
     let most_faces = table / size_of::<Face>();
     if drawing.vertices.len() <= most_vertices && drawing.faces.len() <= most_faces {
         return Ok(vec![Bound::new(gpu, 0, &drawing.vertices, &drawing.faces)?]);

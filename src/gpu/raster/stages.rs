@@ -4,7 +4,7 @@ use super::{COVER, CUT, CUT_TORN, GROUND, GpuImage, GpuRaster, SHADE, SORT};
 use crate::gpu::kernel::fold;
 use crate::gpu::{Binding, Error};
 use crate::raster::{Drawn, Raster};
-use crate::tables::{Lens, MOST_ENTRIES};
+use crate::tables::{GROUP, Lens, MOST_ENTRIES};
 
 /// Times that a lens asks `call`: after split, cut and scan.
 const CALLS: u32 = 3;
@@ -33,7 +33,7 @@ impl Raster for GpuRaster<'_> {
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
                     Binding::texels("vertices", &bound.vertices),
-                    Binding::new("corners", &bound.corners),
+                    Binding::texels("corners", &bound.corners),
                 ];
                 this.kernels.project.dispatch(this.gpu, encoder, &bindings, bound.part.vertices)?;
             }
@@ -51,7 +51,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("corners", &bound.corners),
+                    Binding::texels("corners", &bound.corners),
                     Binding::texels("faces", &bound.faces),
                     if wide { words.of_bytes(8) } else { words },
                     Binding::new("late", &this.late),
@@ -210,7 +210,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("corners", &bound.corners),
+                    Binding::texels("corners", &bound.corners),
                     Binding::texels("faces", &bound.faces),
                     Binding::new("image", &image.words),
                 ];
@@ -229,7 +229,7 @@ impl Raster for GpuRaster<'_> {
                 Binding::new("runs", &this.runs),
                 Binding::new("tally", &this.tally),
             ];
-            this.kernels.sift.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
+            this.kernels.sift.dispatch(this.gpu, encoder, &bindings, lens.pixels().div_ceil(GROUP))?;
             this.call(encoder)
         })
     }
@@ -268,7 +268,7 @@ impl Raster for GpuRaster<'_> {
                 Binding::new("tally", &this.tally),
                 Binding::new("sums", &this.sums),
             ];
-            this.kernels.ground.dispatch_called(this.gpu, encoder, &bindings, &this.calls, GROUND)
+            this.ground.dispatch_called(this.gpu, encoder, &bindings, &this.calls, GROUND)
         })?;
         let encoder = self.recorded();
         self.gpu.finish(encoder)
@@ -280,7 +280,7 @@ impl Raster for GpuRaster<'_> {
                 let bindings = [
                     Binding::new("lens", &this.lens),
                     Binding::new("part", &bound.about),
-                    Binding::new("corners", &bound.corners),
+                    Binding::texels("corners", &bound.corners),
                     Binding::texels("faces", &bound.faces),
                     Binding::new("counts", &this.counts),
                 ];

@@ -33,6 +33,11 @@ pub(super) struct Laces {
 /// Lanes of a subgroup, at least, that are worth handing plans around in.
 const LEAST_SEATS: u32 = 4;
 
+/// Sums of one sample are written, and not added to.
+fn once(sources: Sources, drawing: &Drawing) -> Sources {
+    if drawing.samples() == 1 { sources.for_what("once") } else { sources }
+}
+
 impl Variant {
     /// What runs on every adapter.
     pub const PORTABLE: Self = Self { wide: false, subgroups: false, divides: false, rows: 1 };
@@ -76,8 +81,12 @@ impl Variant {
         let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
         let sources = sources.with_count("show", canvas.show).with_count("blur", canvas.blur);
         let sources = sources.with_count("lamps", canvas.lamps);
-        let sources = if drawing.samples() == 1 { sources.for_what("once") } else { sources };
-        Kernel::new(gpu, &sources.for_what("eye"), "raster/shade")
+        Kernel::new(gpu, &once(sources, drawing).for_what("eye"), "raster/shade")
+    }
+
+    /// `ground` for a drawing.
+    pub(super) fn ground(self, gpu: &Gpu, sources: &Sources, drawing: &Drawing) -> Result<Kernel, Error> {
+        Kernel::new(gpu, &once(self.sources(sources), drawing), "raster/ground")
     }
 
     /// The stages of a drawing's cut-out faces: where the holes are hangs on how their pictures are read.
