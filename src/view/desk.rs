@@ -76,9 +76,12 @@ impl Desk {
         self
     }
 
-    /// The same scene read again: the eye stays where it is, and what is shown stays. Whether there was something to
-    /// undo that cannot be undone any more, since the file holds another text than before.
+    /// The same scene read again: the eye stays where it is, and what is shown stays, as does what was put in by hand
+    /// while it was read. Whether there was something to undo that cannot be undone any more, since the file holds another
+    /// text than before.
     pub fn renew(&mut self, read: Self) -> bool {
+        let edits = self.now.draft.edits();
+        let read = if edits == read.now.draft.edits() { read } else { read.edited(edits) };
         let (camera, show) = (self.scene.camera.clone(), self.scene.raster.show);
         let at_home = camera == self.home;
         (self.source, self.home, self.scene) = (read.source, read.home, read.scene);
@@ -88,6 +91,19 @@ impl Desk {
             self.scene.camera = camera;
         }
         self.holds(read.file)
+    }
+
+    /// The file's text with other values put in by hand; as it is, if it has no room for them.
+    fn edited(self, edits: &[(String, String)]) -> Self {
+        let put_in = || {
+            let mut draft = Draft::new(&self.file).ok()?;
+            edits.iter().try_for_each(|(place, value)| draft.set(place, value)).ok()?;
+            let source = self.source.again(draft.text().to_owned()).ok()?;
+            let scene = source.scene(1).ok()?;
+            Some((draft, source, scene))
+        };
+        let Some((draft, source, scene)) = put_in() else { return self };
+        Self { home: scene.camera.clone(), source, scene, now: State { draft, ..self.now }, ..self }
     }
 
     /// What was put in by hand is an edit that would be lost.

@@ -212,6 +212,37 @@ fn undo_never_writes_over_what_somebody_else_has_written() {
 }
 
 #[test]
+fn neither_hand_writes_over_the_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("room.toml");
+    std::fs::copy(root().join("scenes/room.toml"), &file).expect("a copy");
+    let open = |edits: &[(String, String)]| Desk::open(&file, edits, &Reach::default()).expect("a room");
+    let text = || std::fs::read_to_string(&file).expect("a file");
+    let mut desk = open(&[]);
+    let intensity = "light.point[0].intensity";
+    desk.set(intensity, &Held::Number(0.55)).expect("a right value");
+    desk.let_go();
+    // Another hand writes the file, and the window has not read it yet.
+    let other = text().replace("[film]", "# by another hand\n[film]");
+    std::fs::write(&file, &other).expect("written");
+    assert!(desk.is_behind());
+    let why = desk.save().expect_err("it would be lost");
+    assert!(why.contains("has changed since it was read"), "{why}");
+    assert_eq!(text(), other, "and is not");
+    // What is put in while it is read stays, too.
+    let read = open(desk.draft().edits());
+    desk.set(intensity, &Held::Number(0.66)).expect("a right value");
+    desk.set("film.background", &Held::Numbers(vec![0.5, 0.25, 0.125])).expect("a right value");
+    desk.let_go();
+    desk.renew(read);
+    assert_eq!(desk.draft().get(intensity), Some(Held::Number(0.66)));
+    assert_eq!(desk.scene().film.background.to_array(), [0.5, 0.25, 0.125]);
+    assert!(!desk.is_behind() && desk.draft().text().contains("# by another hand"));
+    desk.save().expect("a place to write");
+    assert!(text().contains("# by another hand") && text().contains("intensity = 0.66"), "{}", text());
+}
+
+#[test]
 fn a_copied_camera_is_pasted_to_the_bit() {
     let mut one = desk("room", Method::Trace);
     one.hand(Hand::Orbit(Vec2::new(0.31, -0.2)));

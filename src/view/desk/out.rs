@@ -18,13 +18,26 @@ impl Desk {
         Ok(draft)
     }
 
+    /// Whether the scene's file holds another text than the one that was read.
+    #[must_use]
+    pub fn is_behind(&self) -> bool {
+        let file = self.source.keeps();
+        file == self.source.path() && std::fs::read(file).is_ok_and(|text| text != self.file.as_bytes())
+    }
+
     /// Writes the scene's file, or of a model alone a new one; where.
     ///
     /// # Errors
-    /// A sentence, if it cannot be written; then the file is what it was.
+    /// A sentence, if it cannot be written, or holds what somebody else has written; then the file is what it was.
     pub fn save(&mut self) -> Result<PathBuf, String> {
         let mut draft = self.with_camera()?;
         let file = self.source.keeps();
+        if self.is_behind() {
+            return Err(format!(
+                "{}: has changed since it was read, and is not overwritten; once it is read again (F5), save again",
+                file.display()
+            ));
+        }
         if file != self.source.path() && file.exists() {
             return Err(format!("{}: is there already, and is not this scene's", file.display()));
         }
