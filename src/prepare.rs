@@ -1,5 +1,6 @@
 //! Scene -> Tables: what a person says, as the arrays that both backends read.
 
+mod ball;
 pub mod bvh;
 mod draw;
 mod inside;
@@ -10,10 +11,12 @@ mod levels;
 mod mesh;
 mod nearest;
 pub mod room;
+mod sizes;
 mod window;
 
+pub use ball::{SPHERE_FACES, sphere_faces};
 pub use draw::{Scenery, draw};
-pub use mesh::{PLANE_FACES, SPHERE_FACES};
+pub use mesh::PLANE_FACES;
 
 use glam::Vec3;
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::prepare::{PLANE_FACES, SPHERE_FACES};
+use crate::prepare::{PLANE_FACES, sphere_faces};
 use crate::scene::{Light, Mesh, Scene};
 
 /// A thing of the scene, as the scene file calls it.
@@ -30,15 +30,21 @@ enum Kind {
 
 /// What a face of a drawing belongs to.
 pub(super) fn drawn(scene: &Scene, id: u32) -> Thing {
-    let order = [(Kind::Mesh, 1), (Kind::Sphere, SPHERE_FACES), (Kind::Triangle, 1), (Kind::Plane, PLANE_FACES)];
-    find(scene, order, &(0..scene.meshes.len()).collect::<Vec<_>>(), id)
+    let spheres = sphere_faces(scene);
+    let each = |kind, number: usize| match kind {
+        Kind::Sphere => spheres[number],
+        Kind::Plane => PLANE_FACES,
+        Kind::Mesh | Kind::Triangle => 1,
+    };
+    let order = [Kind::Mesh, Kind::Sphere, Kind::Triangle, Kind::Plane];
+    find(scene, order, each, &(0..scene.meshes.len()).collect::<Vec<_>>(), id)
 }
 
 /// What a primitive of the ray tracer is.
 pub(super) fn traced(scene: &Scene, id: u32) -> Thing {
     let (alone, shared) = scene.alone_and_shared();
     let meshes = [alone, shared.concat()].concat();
-    find(scene, [(Kind::Sphere, 1), (Kind::Plane, 1), (Kind::Triangle, 1), (Kind::Mesh, 1)], &meshes, id)
+    find(scene, [Kind::Sphere, Kind::Plane, Kind::Triangle, Kind::Mesh], |_, _| 1, &meshes, id)
 }
 
 /// A mesh by its table in the scene file: instances stand in that of their mesh.
@@ -49,12 +55,12 @@ fn called(scene: &Scene, mesh: usize) -> String {
     format!("object.mesh[{table}]{}", instance.unwrap_or_default())
 }
 
-/// `order`: the kinds in their order, and how many numbers one of each kind takes; a mesh takes one for each triangle.
-/// `meshes`: the numbers of the meshes in their order.
-fn find(scene: &Scene, order: [(Kind, u32); 4], meshes: &[usize], id: u32) -> Thing {
+/// `order`: the kinds in their order. `each`: how many numbers the one of a kind with this number takes; a mesh takes one
+/// for each triangle. `meshes`: the numbers of the meshes in their order.
+fn find(scene: &Scene, order: [Kind; 4], each: impl Fn(Kind, usize) -> u32, meshes: &[usize], id: u32) -> Thing {
     let mut left = id;
     let name = |material: usize| scene.materials[material].name.clone();
-    for (kind, each) in order {
+    for kind in order {
         let (word, materials): (_, Vec<usize>) = match kind {
             Kind::Sphere => ("sphere", scene.spheres.iter().map(|s| s.material).collect()),
             Kind::Triangle => ("triangle", scene.triangles.iter().map(|t| t.material).collect()),
@@ -78,12 +84,15 @@ fn find(scene: &Scene, order: [(Kind, u32); 4], meshes: &[usize], id: u32) -> Th
                 continue;
             }
         };
-        if let Some(material) = materials.get((left / each) as usize) {
-            let object = format!("object.{word}[{}]", left / each);
-            let triangle = (each > 1).then_some(left % each);
-            return Thing { id, object, triangle, group: None, material: name(*material) };
+        for (number, material) in materials.into_iter().enumerate() {
+            let each = each(kind, number);
+            if left < each {
+                let object = format!("object.{word}[{number}]");
+                let triangle = (each > 1).then_some(left);
+                return Thing { id, object, triangle, group: None, material: name(material) };
+            }
+            left -= each;
         }
-        left -= materials.len() as u32 * each;
     }
     Thing { id, object: "nothing of the scene".to_owned(), triangle: None, group: None, material: String::new() }
 }

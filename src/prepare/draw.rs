@@ -7,6 +7,7 @@ use glam::Vec3;
 use super::lens::{Pose, orthographic, perspective};
 use super::mesh::Sheet;
 use super::nearest::nearest;
+use super::sizes::small_things;
 use super::window::regions;
 use super::{filtering, pose};
 use crate::math::vector::unit;
@@ -32,7 +33,11 @@ const FARTHER: f32 = 8.0;
 /// there is off by so much.
 const CUT: f32 = 5.0 / 16_777_216.0;
 
-/// A sphere around all that is drawn but infinite planes.
+/// What f32 rounds off the places on a face that is as large as the whole scene, as a share of the scene's size: where
+/// the eye weighs its corners, and where a small lens cuts it. A quarter of that showed on floors.
+const LARGE: f32 = 24.0 * CUT;
+
+/// A sphere around all that is drawn but infinite planes, or around some of it.
 #[derive(Debug, Clone, Copy)]
 struct Bounds {
     center: Vec3,
@@ -53,6 +58,7 @@ pub struct Scenery {
     /// Where the scene's own pictures lie.
     textures: Vec<Map>,
     bounds: Option<Bounds>,
+    small: Option<Bounds>,
     /// Vertices and faces that do not follow the eye, as those of infinite planes do.
     solid: [usize; 2],
 }
@@ -66,7 +72,8 @@ impl Scenery {
         sheet.spheres(scene);
         sheet.triangles(scene);
         let (bounds, solid) = (bounds(&sheet), [sheet.vertices.len(), sheet.faces.len()]);
-        let mut scenery = Self { drawing: nothing(scene, bounds), textures: Vec::new(), bounds, solid };
+        let small = small(scene);
+        let mut scenery = Self { drawing: nothing(scene, bounds), textures: Vec::new(), bounds, small, solid };
         scenery.lay(sheet, scene);
         scenery
     }
@@ -105,7 +112,7 @@ impl Scenery {
         }
         self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene, self.bounds) };
         self.textures = textures;
-        lamps(scene, self.bounds, &mut self.drawing);
+        lamps(scene, self.bounds, self.small, &mut self.drawing);
     }
 }
 
@@ -131,6 +138,12 @@ fn bounds(sheet: &Sheet) -> Option<Bounds> {
     let center = (low + high) * 0.5;
     let radius = sheet.vertices.iter().map(|v| v.position.distance(center)).fold(0.0, f32::max);
     Some(Bounds { center, radius: radius.max(1e-6) * 1.001 })
+}
+
+/// Around the things that are small beside the rest, if there are such.
+fn small(scene: &Scene) -> Option<Bounds> {
+    let [low, high] = small_things(scene)?;
+    Some(Bounds { center: (low + high) * 0.5, radius: low.distance(high) * 0.5 * 1.001 })
 }
 
 /// For each region of the film one lens for each sample of a pixel: the middles of an n x n grid.
@@ -200,8 +213,13 @@ fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
 }
 
 /// Lights beyond the room for lenses cast no shadows.
-fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
-    let wanted: u32 = scene.lights.iter().map(|l| if matches!(l, Light::Point { .. }) { 6 } else { 1 }).sum();
+fn lamps(scene: &Scene, bounds: Option<Bounds>, small: Option<Bounds>, drawing: &mut Drawing) {
+    let lenses = |light: &Light| match light {
+        Light::Point { .. } => 6,
+        Light::Directional { camera: None, .. } if small.is_some() => 2,
+        Light::Directional { .. } => 1,
+    };
+    let wanted: u32 = scene.lights.iter().map(lenses).sum();
     let mut side = scene.raster.shadow_size;
     while wanted.min(MOST_LENSES) * side * side > SHADOW_WORDS {
         side /= 2;
@@ -209,27 +227,33 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
     for light in &scene.lights {
         let (place, kind, power) = match *light {
             Light::Point { position, power } => (position, tables::POINT, power),
+            Light::Directional { toward, power, .. } if lenses(light) == 2 => (toward, tables::NESTED, power),
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
         let far = |from: Vec3| bounds.map_or(0.0, |b| from.distance(b.center) + b.radius);
         // What cutting is off by, as a share of what is seen across.
         let off = |from: Vec3, near: f32, half: f32| CUT * far(from) / (near * 2.0 * half);
-        let (seen, off) = match (light, bounds) {
+        let seen = match (light, bounds) {
             (Light::Directional { camera: Some(camera), .. }, _) => {
                 let lens = view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2]);
-                (vec![lens], off(camera.position, camera.near, (camera.fov / 2.0).tan()))
+                vec![(lens, off(camera.position, camera.near, (camera.fov / 2.0).tan()))]
             }
-            (Light::Directional { .. }, Some(b)) => (vec![beam(place, b, side)], 0.0),
+            (Light::Directional { .. }, Some(all)) => {
+                let of_small =
+                    |small: Bounds| (beam(place, all, small, side), LARGE * all.radius / (2.0 * small.radius));
+                small.map(of_small).into_iter().chain([(beam(place, all, all, side), 0.0)]).collect()
+            }
             (Light::Point { .. }, Some(_)) => {
                 let (near, far) = (near_of(drawing, place, far(place)), far(place));
-                (cube(place, [near, far], side), off(place, near, 1.0))
+                let off = off(place, near, 1.0);
+                cube(place, [near, far], side).map(|lens| (lens, off)).to_vec()
             }
-            (_, None) => (Vec::new(), 0.0),
+            (_, None) => Vec::new(),
         };
         let room = drawing.lenses.len() + seen.len() <= MOST_LENSES as usize && !seen.is_empty();
         let lens = if room { drawing.lenses.len() as u32 } else { NONE };
         drawing.lamps.push(Lamp { place, kind, power, lens });
-        for mut lens in seen.into_iter().filter(|_| room) {
+        for (mut lens, off) in seen.into_iter().filter(|_| room) {
             lens.first = drawing.shadow_words() as u32;
             lens.bias *= scene.raster.bias + off;
             // A texel each way, and as many more as are asked around it.
@@ -239,12 +263,14 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, drawing: &mut Drawing) {
     }
 }
 
-fn beam(toward: Vec3, bounds: Bounds, side: u32) -> Lens {
+/// What a light from one direction sees of `part`, and in its depth of `all`, which may lie before and behind it.
+fn beam(toward: Vec3, all: Bounds, part: Bounds, side: u32) -> Lens {
     let helper = if toward.y.abs() < 0.9 { Vec3::Y } else { Vec3::X };
     let right = unit(helper.cross(toward));
     let axes = [right, unit(toward.cross(right)), toward];
-    let seat = Pose { eye: bounds.center + toward * (bounds.radius * 2.0), axes };
-    orthographic(&seat, [bounds.radius; 2], [bounds.radius, bounds.radius * 3.0], [side; 2])
+    let ahead = (all.center - part.center).dot(toward);
+    let seat = Pose { eye: part.center + toward * (ahead + all.radius * 2.0), axes };
+    orthographic(&seat, [part.radius; 2], [all.radius, all.radius * 3.0], [side; 2])
 }
 
 /// Where the depths of a point light begin, so that whatever is near it casts a shadow.
@@ -257,7 +283,7 @@ fn near_of(drawing: &Drawing, eye: Vec3, far: f32) -> f32 {
 }
 
 /// +x -x +y -y +z -z, as the shadow stage counts them.
-fn cube(eye: Vec3, depths: [f32; 2], side: u32) -> Vec<Lens> {
+fn cube(eye: Vec3, depths: [f32; 2], side: u32) -> [Lens; 6] {
     let ways = [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z];
     let face = |way: Vec3| {
         let helper = if way.y == 0.0 { Vec3::Y } else { Vec3::Z };
@@ -265,5 +291,5 @@ fn cube(eye: Vec3, depths: [f32; 2], side: u32) -> Vec<Lens> {
         let axes = [right, right.cross(way), -way];
         perspective(&Pose { eye, axes }, [1.0; 2], depths, [side; 2], [0.0; 2])
     };
-    ways.map(face).to_vec()
+    ways.map(face)
 }

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
+use super::ball::balls;
 use super::levels::{count, levels};
 use crate::film::Transfer;
 use crate::math::vector::unit;
@@ -40,11 +41,6 @@ enum Cover {
 
 const BARE: Map = Map { first: NONE, width: 0, height: 0, levels: 0, scale: Vec2::ONE, shift: Vec2::ZERO };
 
-/// Columns and rows of a sphere's faces.
-const AROUND: u32 = 96;
-const DOWN: u32 = 48;
-/// Faces that a sphere is drawn with.
-pub const SPHERE_FACES: u32 = 2 * AROUND * DOWN;
 /// Faces that an infinite plane is drawn with.
 pub const PLANE_FACES: u32 = 2 + 8 * RINGS;
 /// Rings around the square of a plane that is as large as the scene.
@@ -140,24 +136,26 @@ impl Sheet {
         Map { first, width: texture.width, height: texture.height, levels: count(texture), ..BARE }
     }
 
+    /// Columns go from u = 0 to 1 and rows from v = 1 to 0.
     pub(super) fn spheres(&mut self, scene: &Scene) {
-        for sphere in &scene.spheres {
+        for (sphere, ball) in scene.spheres.iter().zip(balls(scene)) {
             let first = self.vertices.len() as u32;
-            for j in 0..=DOWN {
-                for i in 0..=AROUND {
-                    let (u, v) = (i as f32 / AROUND as f32, 1.0 - j as f32 / DOWN as f32);
+            for &row in &ball.rows {
+                for &u in &ball.columns {
                     // The last column is the first one to the bit, so that the seam is closed.
-                    let turn = (i % AROUND) as f32 / AROUND as f32 * std::f32::consts::TAU;
-                    let fall = j as f32 / DOWN as f32 * std::f32::consts::PI;
-                    let ring = if j == 0 || j == DOWN { 0.0 } else { fall.sin() };
+                    let turn = if u == 1.0 { 0.0 } else { u * std::f32::consts::TAU };
+                    let fall = row * std::f32::consts::PI;
+                    let ring = if row == 0.0 || row == 1.0 { 0.0 } else { fall.sin() };
                     let normal = Vec3::new(ring * turn.cos(), fall.cos(), -ring * turn.sin());
-                    self.vertices.push(Vertex { position: sphere.center + normal * sphere.radius, u, normal, v });
+                    let position = sphere.center + normal * sphere.radius;
+                    self.vertices.push(Vertex { position, u, normal, v: 1.0 - row });
                 }
             }
             let paint = sphere.material as u32;
-            for (i, j) in (0..DOWN).flat_map(|j| (0..AROUND).map(move |i| (i, j))) {
-                let a = first + j * (AROUND + 1) + i;
-                let below = a + AROUND + 1;
+            let columns = ball.columns.len() as u32;
+            for (i, j) in (1..ball.rows.len() as u32).flat_map(|j| (1..columns).map(move |i| (i - 1, j - 1))) {
+                let a = first + j * columns + i;
+                let below = a + columns;
                 self.faces.push(Face { a, b: below, c: below + 1, paint });
                 self.faces.push(Face { a, b: below + 1, c: a + 1, paint });
             }

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use super::{PLANE_FACES, SPHERE_FACES};
+use super::{PLANE_FACES, SPHERE_FACES, sphere_faces};
 use crate::scene::model::Model;
 use crate::scene::{Mesh, Method, Reach, Scene};
 
@@ -63,9 +63,16 @@ pub fn models(scene: &Scene) -> Vec<&Model> {
 /// # Errors
 /// [`Error::Memory`] and [`Error::Numbers`] if they do not.
 pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error> {
-    let (needed, most) = (bytes(scene, method), reach.most());
-    if needed > most {
-        return Err(Error::Memory { needed: needed >> 20, most: most >> 20 });
+    let most = reach.most();
+    let fits = |needed: u64| {
+        if needed > most { Err(Error::Memory { needed: needed >> 20, most: most >> 20 }) } else { Ok(()) }
+    };
+    let needed = bytes(scene, method);
+    fits(needed)?;
+    if method == Method::Raster {
+        // Which spheres are wide all that is smaller is asked for, once it is known not to be too much.
+        let more = |faces: u32| u64::from(faces.saturating_sub(SPHERE_FACES));
+        fits(needed + FACE * sphere_faces(scene).into_iter().map(more).sum::<u64>())?;
     }
     // A hit on an instance is numbered by its primitive, after all leaves; the last number is none.
     let faces: u64 = scene.meshes.iter().map(|mesh| mesh.model.triangles.len() as u64).sum();

@@ -9,11 +9,21 @@ impl Scene {
     #[must_use]
     pub fn bounds(&self) -> Option<[Vec3; 2]> {
         let spheres = self.spheres.iter().flat_map(|s| [s.center - s.radius, s.center + s.radius]);
+        let [low, high] = around(spheres.chain(self.bounds_without_spheres().into_iter().flatten()))?;
+        Some([(low + high) * 0.5, high])
+    }
+
+    /// The lowest and the highest corner of the box around all triangles and models; nothing if there is none.
+    #[must_use]
+    pub fn bounds_without_spheres(&self) -> Option<[Vec3; 2]> {
         let triangles = self.triangles.iter().flat_map(|t| t.vertices);
         let meshes = self.meshes.iter().flat_map(|m| m.model.positions.iter().map(|p| m.place(*p)));
-        let none = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (low, high) =
-            spheres.chain(triangles).chain(meshes).fold(none, |(low, high), p| (low.min(p), high.max(p)));
-        (low.x <= high.x).then(|| [(low + high) * 0.5, high])
+        around(triangles.chain(meshes))
     }
+}
+
+fn around(points: impl Iterator<Item = Vec3>) -> Option<[Vec3; 2]> {
+    let none = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+    let [low, high] = points.fold(none, |[low, high], p| [low.min(p), high.max(p)]);
+    (low.x <= high.x).then_some([low, high])
 }

@@ -245,8 +245,8 @@ pub struct Objects {
     pub mesh: Vec<Mesh>,
 }
 
-/// A sphere. Where it is drawn it is 96 x 48 faces, all around: one as large as a ground is off by a two thousandth of its
-/// radius between their corners. A traced one is round.
+/// A sphere. A traced one is round; a drawn one is 96 x 48 faces, off by up to a thousandth of its radius between their
+/// corners, and more and finer ones under things that stand on it and are small beside it.
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {

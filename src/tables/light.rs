@@ -20,3 +20,5 @@ pub struct Light {
 pub const POINT: u32 = 0;
 /// Shines from one direction.
 pub const DIRECTIONAL: u32 = 1;
+/// Shines from one direction on things that are small beside others, and has a lens for them before that for all.
+pub const NESTED: u32 = 2;

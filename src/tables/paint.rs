@@ -60,7 +60,7 @@ impl Paint {
 pub struct Lamp {
     /// A point light's position, or the unit direction towards a directional light.
     pub place: Vec3,
-    /// [`POINT`](super::POINT) or [`DIRECTIONAL`](super::DIRECTIONAL).
+    /// [`POINT`](super::POINT), [`DIRECTIONAL`](super::DIRECTIONAL) or [`NESTED`](super::NESTED).
     pub kind: u32,
     /// Color times intensity.
     pub power: Vec3,

@@ -4,7 +4,7 @@ use twinlight::cpu::first::{First, first};
 use twinlight::film::Film;
 use twinlight::film::compare::{Measure, Standard, TOLERANCES};
 use twinlight::math::Vec3;
-use twinlight::prepare::PLANE_FACES;
+use twinlight::prepare::{PLANE_FACES, sphere_faces};
 use twinlight::scene::{Filter, Light, Method, Scene, Show, Specular};
 use twinlight::tables::{CUT_OUT, NONE, ONE_SIDED, Tables};
 
@@ -14,7 +14,7 @@ use super::trace_lace::lace;
 use super::{on_cpu, root, scene_on_cpu, small, tables_of};
 
 /// One sample in the middle of each pixel, where the rasterizer's lies; light without ambient light and half shadows.
-fn alike(mut scene: Scene) -> Scene {
+pub(super) fn alike(mut scene: Scene) -> Scene {
     scene.trace.samples = 1;
     scene.trace.filter = scene.raster.filter;
     scene.trace.specular = scene.raster.specular;
@@ -31,7 +31,7 @@ fn alike(mut scene: Scene) -> Scene {
 }
 
 /// The tables of a scene, seen through the middles of the pixels.
-fn centered(scene: &Scene) -> Tables {
+pub(super) fn centered(scene: &Scene) -> Tables {
     let mut tables = tables_of(scene);
     let view = &mut tables.view;
     view.back -= view.right * (0.5 / view.width as f32) + view.up * (0.5 / view.height as f32);
@@ -39,7 +39,7 @@ fn centered(scene: &Scene) -> Tables {
 }
 
 /// What a drawn face belongs to, as the ray tracer counts it: a sphere or a plane, or a triangle of its own.
-fn traced_id(scene: &Scene, id: u32) -> u32 {
+pub(super) fn traced_id(scene: &Scene, id: u32) -> u32 {
     if id == NONE {
         return NONE;
     }
@@ -59,15 +59,17 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
         rest
     };
     let [spheres, planes, triangles] = [scene.spheres.len(), scene.planes.len(), scene.triangles.len()].map(count);
-    // Of a sphere 96 x 48 squares are drawn.
-    let of_sphere = 2 * 96 * 48;
-    let before = [meshes, spheres * of_sphere, triangles, planes * PLANE_FACES];
+    let of_spheres = sphere_faces(scene);
+    // What is drawn of all spheres up to one.
+    let up_to = |number: u32| of_spheres[..number as usize].iter().sum::<u32>();
+    let sphere = |rest: u32| (0..spheres).take_while(|number| up_to(number + 1) <= rest).count() as u32;
+    let before = [meshes, up_to(spheres), triangles, planes * PLANE_FACES];
     let mut rest = id;
     for (kind, count) in before.into_iter().enumerate() {
         if rest < count {
             return match kind {
                 0 => spheres + planes + triangles + traced_mesh(rest),
-                1 => rest / of_sphere,
+                1 => sphere(rest),
                 2 => spheres + planes + rest,
                 _ => spheres + rest / PLANE_FACES,
             };
@@ -79,19 +81,19 @@ fn traced_id(scene: &Scene, id: u32) -> u32 {
 
 /// What was found where neither picture has an edge.
 #[derive(Debug, Default)]
-struct Found {
+pub(super) struct Found {
     /// Pixels that see something, more than one off the next edge.
-    inner: u32,
+    pub(super) inner: u32,
     /// Those of them in which the methods see different things.
-    others: u32,
+    pub(super) others: u32,
     /// Pixels in which they see the same, and the same share of the lights.
-    alike: u32,
+    pub(super) alike: u32,
     /// Those of them whose colors differ by more than 2/255.
-    off: u32,
+    pub(super) off: u32,
 }
 
 impl Found {
-    fn agrees(&self) -> bool {
+    pub(super) fn agrees(&self) -> bool {
         let most = |measure| {
             let mut asked =
                 TOLERANCES.iter().filter(|row| row.what == measure && row.asked.contains(&Standard::Near));
@@ -137,7 +139,7 @@ fn judge(scene: &Scene, color: &Film, open: &Film, traced: &Film, met: &[First])
     found
 }
 
-fn found(scene: &Scene, tables: &Tables) -> Found {
+pub(super) fn found(scene: &Scene, tables: &Tables) -> Found {
     let drawn = |show| {
         let mut scene = scene.clone();
         (scene.method, scene.raster.show) = (Method::Raster, show);

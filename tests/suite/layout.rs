@@ -194,6 +194,7 @@ fn constants_are_the_same() {
         INSTANCE,
         POINT,
         DIRECTIONAL,
+        NESTED,
         MIRROR,
         DIFFUSE,
         GLASS,

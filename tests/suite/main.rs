@@ -60,6 +60,7 @@ mod trace_lace;
 mod trace_maps;
 mod waiting;
 mod watertight;
+mod wide;
 mod wrong;
 
 use std::convert::Infallible;

@@ -7,8 +7,18 @@
 
 const BLUR: i32 = $blur;
 
-// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
+// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along; of a
+// nested one's two the first, if that sees it.
 fn lens_of(lamp: Lamp, p: vec3f) -> u32 {
+#if nested
+    if (lamp.kind == NESTED) {
+        let by = lamp.lens * 8u;
+        let x = along(bitcast<vec4f>(texel(lenses, by)), p);
+        let y = along(bitcast<vec4f>(texel(lenses, by + 1u)), p);
+        let w = along(bitcast<vec4f>(texel(lenses, by + 3u)), p);
+        return lamp.lens + select(1u, 0u, abs(x) <= w && abs(y) <= w);
+    }
+#end
     if (lamp.kind != POINT) {
         return lamp.lens;
     }

@@ -10,3 +10,5 @@ struct Light {
 
 const POINT: u32 = 0u;
 const DIRECTIONAL: u32 = 1u;
+// From one direction on things that are small beside others, with a lens for them before that for all.
+const NESTED: u32 = 2u;

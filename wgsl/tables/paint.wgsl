@@ -36,7 +36,7 @@ struct Paint {
 struct Lamp {
     // A point light's position, or the unit direction towards a directional light.
     place: vec3f,
-    // POINT or DIRECTIONAL.
+    // POINT, DIRECTIONAL or NESTED.
     kind: u32,
     power: vec3f,
     // The first of its lenses: one, or six for a point light (+x -x +y -y +z -z). NONE: no shadow.

@@ -6,10 +6,15 @@ use glam::Vec3;
 
 use super::snap::to_clip;
 use crate::cpu::witness::{Sight, Texel, Witness};
-use crate::tables::{DEEP, Lamp, Lens, NO_DEPTH, NONE, POINT};
+use crate::tables::{DEEP, Lamp, Lens, NESTED, NO_DEPTH, NONE, POINT};
 
-/// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along.
-fn lens_of(lamp: &Lamp, p: Vec3) -> u32 {
+/// Which of its lenses a lamp sees a point through: for a point light, the axis that the way there is longest along; of a
+/// nested one's two the first, if that sees it.
+fn lens_of(lenses: &[Lens], lamp: &Lamp, p: Vec3) -> u32 {
+    if lamp.kind == NESTED {
+        let c = to_clip(&lenses[lamp.lens as usize], p);
+        return lamp.lens + u32::from(!(c.x.abs() <= c.w && c.y.abs() <= c.w));
+    }
     if lamp.kind != POINT {
         return lamp.lens;
     }
@@ -42,7 +47,7 @@ pub fn reaches(
     if lamp.lens == NONE {
         return 1.0;
     }
-    let number = lens_of(lamp, p);
+    let number = lens_of(lenses, lamp, p);
     let lens = &lenses[number as usize];
     let c = to_clip(lens, p);
     // What lies beyond the far plane lies behind all that is drawn.

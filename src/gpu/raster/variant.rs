@@ -3,7 +3,7 @@
 use crate::gpu::looks::looks;
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Error, Gpu, Kernel};
-use crate::tables::Drawing;
+use crate::tables::{Drawing, NESTED};
 
 /// Which variants of the kernels are used. None of it shows in the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -81,6 +81,8 @@ impl Variant {
         let sources = looks(self.sources(sources), &drawing.paints, canvas.filtering, canvas.specular);
         let sources = sources.with_count("show", canvas.show).with_count("blur", canvas.blur);
         let sources = sources.with_count("lamps", canvas.lamps);
+        let nested = drawing.lamps.iter().any(|lamp| lamp.kind == NESTED);
+        let sources = if nested { sources.for_what("nested") } else { sources };
         Kernel::new(gpu, &once(sources, drawing).for_what("eye"), "raster/shade")
     }
 

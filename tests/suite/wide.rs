@@ -1,0 +1,66 @@
+//! Small things on a ground that is far larger, by both methods.
+
+use glam::Quat;
+use twinlight::cpu::first::first;
+use twinlight::math::Vec3;
+use twinlight::prepare::{SPHERE_FACES, sphere_faces};
+use twinlight::scene::{Light, Maps, Method, Scene, Show, Sphere, Triangle};
+
+use super::agree::{alike, centered, found, traced_id};
+use super::{root, scene_on_cpu, small};
+
+/// Balls on a ground that is a sphere or a triangle a thousand times as large as they, under a sun; `up`: from the ground's
+/// middle to the balls.
+fn wide_ground(up: Vec3, round: bool) -> Scene {
+    let mut scene = small(&root().join("scenes/stones.toml"), [199, 131], 1);
+    let turn = Quat::from_rotation_arc(Vec3::Y, up);
+    let at = |x: f32, y: f32, z: f32| turn * Vec3::new(x, y, z);
+    let ball = |x: f32, z: f32, radius: f32| Sphere { center: at(x, radius, z), radius, material: 0 };
+    scene.meshes.clear();
+    scene.planes.clear();
+    scene.spheres = vec![ball(-1.2, 0.0, 1.0), ball(1.2, 0.3, 1.0), ball(0.4, 2.0, 0.25)];
+    if round {
+        scene.spheres.push(Sphere { center: at(0.0, -1000.0, 0.0), radius: 1000.0, material: 0 });
+    } else {
+        let vertices = [at(-3000.0, 0.0, -2000.0), at(0.0, 0.0, 4000.0), at(3000.0, 0.0, -2000.0)];
+        scene.triangles = vec![Triangle { vertices, material: 0, uvs: Triangle::UVS }];
+    }
+    (scene.camera.position, scene.camera.look_at) = (at(6.0, 2.6, 7.0), at(0.0, 0.6, 0.0));
+    (scene.camera.up, scene.camera.fov) = (up, 0.61);
+    (scene.camera.near, scene.camera.far) = (0.1, 5000.0);
+    scene.lights =
+        vec![Light::Directional { toward: at(0.4, 0.7, 0.5).normalize(), power: Vec3::ONE, camera: None }];
+    scene.materials.truncate(1);
+    scene.materials[0].maps = Maps::default();
+    alike(scene)
+}
+
+/// A sphere as large as a ground has finer faces under what stands on it, and a sun a map for what is small.
+#[test]
+fn things_on_a_wide_ground_look_the_same_by_both_methods() {
+    for up in [Vec3::Y, Vec3::NEG_Y, Vec3::X, Vec3::new(0.3, 0.1, -0.9).normalize(), Vec3::new(0.002, 1.0, 0.001)] {
+        for round in [true, false] {
+            let scene = wide_ground(up.normalize(), round);
+            let faces = sphere_faces(&scene);
+            assert!(faces[..3] == [SPHERE_FACES; 3] && (!round || faces[3] > SPHERE_FACES), "{faces:?}");
+            let found = found(&scene, &centered(&scene));
+            assert!(found.agrees() && found.alike * 20 > found.inner * 19, "{up}, round {round}: {found:?}");
+            let [dark, other] = shadows_on(&scene, 3);
+            assert!(dark > 150 && other * 4 < dark, "{up}, round {round}: {other} beside {dark} pixels in shadow");
+        }
+    }
+}
+
+/// In how many pixels that show a thing, by its traced number, no light reaches it as it is traced, and in how many that
+/// is otherwise as it is drawn.
+fn shadows_on(scene: &Scene, thing: u32) -> [usize; 2] {
+    let mut shown = scene.clone();
+    (shown.method, shown.raster.show) = (Method::Raster, Show::Shadow);
+    let open = scene_on_cpu(&shown);
+    let [width, height] = scene.film.size;
+    let met = first(&centered(scene), 0..width, 0..height);
+    let there = |p: &usize| traced_id(scene, open.ids()[*p]) == thing;
+    let pixels = || (0..met.len()).filter(there);
+    let dark = pixels().filter(|&p| met[p].shadow == 0.0).count();
+    [dark, pixels().filter(|&p| (open.color(p as u32).x > 0.5) != (met[p].shadow > 0.5)).count()]
+}
