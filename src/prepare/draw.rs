@@ -214,20 +214,21 @@ fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
 
 /// Lights beyond the room for lenses cast no shadows.
 fn lamps(scene: &Scene, bounds: Option<Bounds>, small: Option<Bounds>, drawing: &mut Drawing) {
-    let lenses = |light: &Light| match light {
-        Light::Point { .. } => 6,
-        Light::Directional { camera: None, .. } if small.is_some() => 2,
-        Light::Directional { .. } => 1,
-    };
-    let wanted: u32 = scene.lights.iter().map(lenses).sum();
+    let wanted: u32 = scene.lights.iter().map(|l| if matches!(l, Light::Point { .. }) { 6 } else { 1 }).sum();
     let mut side = scene.raster.shadow_size;
     while wanted.min(MOST_LENSES) * side * side > SHADOW_WORDS {
         side /= 2;
     }
+    // Maps of small things take no other light's room: if there is none, a sun's two maps have that of its one.
+    let suns = scene.lights.iter().filter(|l| matches!(l, Light::Directional { camera: None, .. })).count() as u32;
+    let small = small.filter(|_| wanted + suns <= MOST_LENSES);
+    let half = if (wanted + suns) * side * side > SHADOW_WORDS { side / 2 } else { side };
     for light in &scene.lights {
         let (place, kind, power) = match *light {
             Light::Point { position, power } => (position, tables::POINT, power),
-            Light::Directional { toward, power, .. } if lenses(light) == 2 => (toward, tables::NESTED, power),
+            Light::Directional { toward, power, camera: None } if small.is_some() => {
+                (toward, tables::NESTED, power)
+            }
             Light::Directional { toward, power, .. } => (toward, tables::DIRECTIONAL, power),
         };
         let far = |from: Vec3| bounds.map_or(0.0, |b| from.distance(b.center) + b.radius);
@@ -238,11 +239,13 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, small: Option<Bounds>, drawing: 
                 let lens = view(camera, 1.0, [side; 2], &[0..side, 0..side], [0.0; 2]);
                 vec![(lens, off(camera.position, camera.near, (camera.fov / 2.0).tan()))]
             }
-            (Light::Directional { .. }, Some(all)) => {
-                let of_small =
-                    |small: Bounds| (beam(place, all, small, side), LARGE * all.radius / (2.0 * small.radius));
-                small.map(of_small).into_iter().chain([(beam(place, all, all, side), 0.0)]).collect()
-            }
+            (Light::Directional { .. }, Some(all)) => match small {
+                Some(small) => {
+                    let off = LARGE * all.radius / (2.0 * small.radius);
+                    vec![(beam(place, all, small, half), off), (beam(place, all, all, half), 0.0)]
+                }
+                None => vec![(beam(place, all, all, side), 0.0)],
+            },
             (Light::Point { .. }, Some(_)) => {
                 let (near, far) = (near_of(drawing, place, far(place)), far(place));
                 let off = off(place, near, 1.0);

@@ -2,29 +2,32 @@
 
 use glam::Vec3;
 
-use crate::scene::{Mesh, Scene};
+use crate::scene::{Mesh, Scene, Sphere};
 
 /// How many times as large as all smaller ones together a thing is, at least, that makes them small.
 const LARGER: f32 = 8.0;
 
-/// The lowest and the highest corner of the box around all things that are smaller than the one that is largest beside
-/// those before it; nothing if none is that much larger than they are.
+/// The lowest and the highest corner of the box around all things that are small beside the next larger one; of several
+/// such steps the one between the largest. A sphere all around the others is a sky, and no such thing.
 pub(super) fn small_things(scene: &Scene) -> Option<[Vec3; 2]> {
     let size = |[low, high]: [Vec3; 2]| low.distance(high);
-    let spheres = scene.spheres.iter().map(|s| [s.center - s.radius, s.center + s.radius]);
+    let spheres = scene.spheres.iter().map(|s| ([s.center - s.radius, s.center + s.radius], Some(s)));
     let triangles = scene.triangles.iter().map(|t| around(t.vertices));
     let placed = |mesh: &Mesh| around(mesh.model.positions.iter().map(|p| mesh.place(*p)));
-    let mut boxes: Vec<_> = spheres.chain(triangles).chain(scene.meshes.iter().map(placed)).collect();
-    boxes.retain(|thing| size(*thing) > 0.0 && size(*thing).is_finite());
-    boxes.sort_by(|a, b| size(*a).total_cmp(&size(*b)));
+    let flat = triangles.chain(scene.meshes.iter().map(placed)).map(|thing| (thing, None));
+    let mut boxes: Vec<_> = spheres.chain(flat).collect();
+    boxes.retain(|(thing, _)| size(*thing) > 0.0 && size(*thing).is_finite());
+    boxes.sort_by(|a, b| size(a.0).total_cmp(&size(b.0)));
     let mut boxes = boxes.into_iter();
-    let (mut smaller, mut most, mut found) = (boxes.next()?, LARGER, None);
-    for thing in boxes {
-        let larger = size(thing) / size(smaller);
-        if larger >= most {
-            (most, found) = (larger, Some(smaller));
+    let (mut smaller, mut found) = (boxes.next()?.0, None);
+    for (thing, sphere) in boxes {
+        let [low, high] = smaller;
+        // The corner of the box that is farthest from its middle.
+        let is_sky = |s: &Sphere| (s.center - low).abs().max((high - s.center).abs()).length() <= s.radius;
+        if size(thing) >= LARGER * size(smaller) && !sphere.is_some_and(is_sky) {
+            found = Some(smaller);
         }
-        smaller = [smaller[0].min(thing[0]), smaller[1].max(thing[1])];
+        smaller = [low.min(thing[0]), high.max(thing[1])];
     }
     found
 }

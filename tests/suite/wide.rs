@@ -3,8 +3,9 @@
 use glam::Quat;
 use twinlight::cpu::first::first;
 use twinlight::math::Vec3;
-use twinlight::prepare::{SPHERE_FACES, sphere_faces};
+use twinlight::prepare::{SPHERE_FACES, draw, sphere_faces};
 use twinlight::scene::{Light, Maps, Method, Scene, Show, Sphere, Triangle};
+use twinlight::tables::Lens;
 
 use super::agree::{alike, centered, found, traced_id};
 use super::{root, scene_on_cpu, small};
@@ -63,4 +64,32 @@ fn shadows_on(scene: &Scene, thing: u32) -> [usize; 2] {
     let pixels = || (0..met.len()).filter(there);
     let dark = pixels().filter(|&p| met[p].shadow == 0.0).count();
     [dark, pixels().filter(|&p| (open.color(p as u32).x > 0.5) != (met[p].shadow > 0.5)).count()]
+}
+
+/// Which lenses the lights of a scene on a wide ground have, as [width, what it spans in world space].
+fn spans(scene: &Scene) -> Vec<[f32; 2]> {
+    let across = |lens: &Lens| 2.0 / lens.x.truncate().length();
+    draw(scene).lenses.iter().map(|lens| [lens.width as f32, across(lens)]).collect()
+}
+
+#[test]
+fn the_map_of_small_things_is_of_the_things_on_the_ground_and_takes_nobodys_room() {
+    let wide = wide_ground(Vec3::Y, true);
+    let [small, all] = spans(&wide)[..] else { panic!("a sun has two maps") };
+    assert!(small[1] < 10.0 && all[1] > 2000.0 && small[0] == 2048.0 && all[0] == 2048.0, "{small:?} {all:?}");
+    // A speck beside them, or a sky around all of it, makes no other things small.
+    for extra in [(Vec3::new(0.5, 0.0, 0.0), 1e-3), (Vec3::ZERO, 1e5)] {
+        let mut scene = wide.clone();
+        scene.spheres.push(Sphere { center: extra.0, radius: extra.1, material: 0 });
+        assert!((spans(&scene)[0][1] - small[1]).abs() < 0.1, "{extra:?}: {:?}", spans(&scene));
+    }
+    // Six maps of a lamp and one of each sun fill the room: the suns' are smaller then, and the lamp's are not.
+    let mut scene = wide.clone();
+    scene.lights.insert(0, Light::Point { position: Vec3::new(2.0, 5.0, 1.0), power: Vec3::ONE });
+    scene.lights.push(scene.lights[1].clone());
+    let sides: Vec<f32> = spans(&scene).iter().map(|span| span[0]).collect();
+    assert_eq!(sides, [[2048.0; 6].to_vec(), [1024.0; 4].to_vec()].concat());
+    // Seventeen suns have a map each, as there is no room for two.
+    scene.lights = vec![wide.lights[0].clone(); 17];
+    assert_eq!(spans(&scene).len(), 17);
 }
