@@ -15,9 +15,9 @@ pub const SPHERE_FACES: u32 = 2 * AROUND * DOWN;
 const WIDE: f32 = 8.0;
 /// How many times their size they may be away from it.
 const AT_IT: f32 = 2.0;
-/// The first columns and rows of a wide sphere, as a share of the things' size, and how much wider each is than the one
-/// before: what is seen of a sphere then is off by a hundredth of a thousandth of how far it is from the things, times
-/// the angle that this way spans.
+/// The first columns and rows of a wide sphere, as a share of the things' size, and how much farther each is from the
+/// first ones than the one before: faces are off by less than a hundredth of how far they are from the things, times the
+/// angle that this way spans on the sphere.
 const FIRST: f64 = 0.25;
 const WIDER: f64 = 1.25;
 /// The finest, in radians: f32 tells no finer ones apart.
@@ -59,9 +59,8 @@ pub(super) fn balls(scene: &Scene) -> Vec<Ball> {
         let away = (middle.distance(sphere.center) - sphere.radius).abs();
         if seen.is_some() && sphere.radius >= WIDE * size && away <= AT_IT * size {
             balls[number].refine(sphere, middle, size);
-        } else {
-            seen = Some([low.min(around[0]), high.max(around[1])]);
         }
+        seen = Some([low.min(around[0]), high.max(around[1])]);
     }
     balls
 }

@@ -37,6 +37,10 @@ const CUT: f32 = 5.0 / 16_777_216.0;
 /// the eye weighs its corners, and where a small lens cuts it. A quarter of that showed on floors.
 const LARGE: f32 = 24.0 * CUT;
 
+/// How many times as large as its small things a scene may be, that a sun has a map of them: beyond that, what is rounded
+/// off is no trifle beside them any more. Floors 50,000 times as large shadowed themselves.
+const LARGEST: f32 = 1e4;
+
 /// A sphere around all that is drawn but infinite planes, or around some of it.
 #[derive(Debug, Clone, Copy)]
 struct Bounds {
@@ -221,7 +225,8 @@ fn lamps(scene: &Scene, bounds: Option<Bounds>, small: Option<Bounds>, drawing: 
     }
     // Maps of small things take no other light's room: if there is none, a sun's two maps have that of its one.
     let suns = scene.lights.iter().filter(|l| matches!(l, Light::Directional { camera: None, .. })).count() as u32;
-    let small = small.filter(|_| wanted + suns <= MOST_LENSES);
+    let beside = |small: &Bounds| bounds.is_some_and(|all| all.radius <= LARGEST * small.radius);
+    let small = small.filter(|small| wanted + suns <= MOST_LENSES && beside(small));
     let half = if (wanted + suns) * side * side > SHADOW_WORDS { side / 2 } else { side };
     for light in &scene.lights {
         let (place, kind, power) = match *light {

@@ -70,7 +70,7 @@ pub fn within(scene: &Scene, method: Method, reach: &Reach) -> Result<(), Error>
     let needed = bytes(scene, method);
     fits(needed)?;
     if method == Method::Raster {
-        // Which spheres are wide all that is smaller is asked for, once it is known not to be too much.
+        // To know the wide spheres takes a look at all that is smaller; by now that is known to fit.
         let more = |faces: u32| u64::from(faces.saturating_sub(SPHERE_FACES));
         fits(needed + FACE * sphere_faces(scene).into_iter().map(more).sum::<u64>())?;
     }

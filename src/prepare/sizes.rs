@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::scene::{Mesh, Scene, Sphere};
+use crate::scene::{Scene, Sphere};
 
 /// How many times as large as all smaller ones together a thing is, at least, that makes them small.
 const LARGER: f32 = 8.0;
@@ -13,8 +13,8 @@ pub(super) fn small_things(scene: &Scene) -> Option<[Vec3; 2]> {
     let size = |[low, high]: [Vec3; 2]| low.distance(high);
     let spheres = scene.spheres.iter().map(|s| ([s.center - s.radius, s.center + s.radius], Some(s)));
     let triangles = scene.triangles.iter().map(|t| around(t.vertices));
-    let placed = |mesh: &Mesh| around(mesh.model.positions.iter().map(|p| mesh.place(*p)));
-    let flat = triangles.chain(scene.meshes.iter().map(placed)).map(|thing| (thing, None));
+    let meshes = scene.meshes.iter().map(|mesh| around(mesh.corners()));
+    let flat = triangles.chain(meshes).map(|thing| (thing, None));
     let mut boxes: Vec<_> = spheres.chain(flat).collect();
     boxes.retain(|(thing, _)| size(*thing) > 0.0 && size(*thing).is_finite());
     boxes.sort_by(|a, b| size(a.0).total_cmp(&size(b.0)));

@@ -92,7 +92,7 @@ impl Work {
                     let lights = if bare == 1 { "light casts" } else { "lights cast" };
                     notes.push(format!(
                         "{bare} {lights} no shadows: there is room for {MOST_LENSES} shadow maps, and a point light \
-                         takes six, a sun two where some things are small beside others"
+                         takes six"
                     ));
                 }
                 Kind::Drawn(Box::new(drawing))

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::Scene;
+use super::{Mesh, Scene};
 
 impl Scene {
     /// The middle of the box around all spheres, triangles and models, and a corner of it; nothing if there is none.
@@ -17,8 +17,7 @@ impl Scene {
     #[must_use]
     pub fn bounds_without_spheres(&self) -> Option<[Vec3; 2]> {
         let triangles = self.triangles.iter().flat_map(|t| t.vertices);
-        let meshes = self.meshes.iter().flat_map(|m| m.model.positions.iter().map(|p| m.place(*p)));
-        around(triangles.chain(meshes))
+        around(triangles.chain(self.meshes.iter().flat_map(Mesh::corners)))
     }
 }
 

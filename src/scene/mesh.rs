@@ -69,6 +69,12 @@ impl Mesh {
         self.instance.map_or(p, |i| turned(p * i.scale, i.rotate) + i.translate)
     }
 
+    /// The corners of its triangles, in world space.
+    pub fn corners(&self) -> impl Iterator<Item = Vec3> {
+        let positions = self.model.triangles.iter().flat_map(|t| t.corners).map(|corner| corner.position);
+        positions.map(|position| self.place(self.model.positions[position as usize]))
+    }
+
     /// How much larger it is in the world.
     #[must_use]
     pub fn size(&self) -> f32 {

@@ -64,7 +64,7 @@ pub struct Lamp {
     pub kind: u32,
     /// Color times intensity.
     pub power: Vec3,
-    /// The first of its lenses: one, or six for a point light (+x -x +y -y +z -z). [`NONE`](super::NONE): no shadow.
+    /// The first of its lenses: one, two if nested, or six for a point light (+x -x +y -y +z -z). [`NONE`](super::NONE): no shadow.
     pub lens: u32,
 }
 

@@ -4,7 +4,7 @@ use glam::Quat;
 use twinlight::cpu::first::first;
 use twinlight::math::Vec3;
 use twinlight::prepare::{SPHERE_FACES, draw, sphere_faces};
-use twinlight::scene::{Light, Maps, Method, Scene, Show, Sphere, Triangle};
+use twinlight::scene::{Light, Maps, Mesh, Method, Scene, Show, Sphere, Triangle};
 use twinlight::tables::Lens;
 
 use super::agree::{alike, centered, found, traced_id};
@@ -19,6 +19,7 @@ fn wide_ground(up: Vec3, round: bool) -> Scene {
     let ball = |x: f32, z: f32, radius: f32| Sphere { center: at(x, radius, z), radius, material: 0 };
     scene.meshes.clear();
     scene.planes.clear();
+    scene.triangles.clear();
     scene.spheres = vec![ball(-1.2, 0.0, 1.0), ball(1.2, 0.3, 1.0), ball(0.4, 2.0, 0.25)];
     if round {
         scene.spheres.push(Sphere { center: at(0.0, -1000.0, 0.0), radius: 1000.0, material: 0 });
@@ -78,7 +79,7 @@ fn the_map_of_small_things_is_of_the_things_on_the_ground_and_takes_nobodys_room
     let [small, all] = spans(&wide)[..] else { panic!("a sun has two maps") };
     assert!(small[1] < 10.0 && all[1] > 2000.0 && small[0] == 2048.0 && all[0] == 2048.0, "{small:?} {all:?}");
     // A speck beside them, or a sky around all of it, makes no other things small.
-    for extra in [(Vec3::new(0.5, 0.0, 0.0), 1e-3), (Vec3::ZERO, 1e5)] {
+    for extra in [(Vec3::new(0.5, 0.0, 0.0), 1e-3), (Vec3::ZERO, 8e3)] {
         let mut scene = wide.clone();
         scene.spheres.push(Sphere { center: extra.0, radius: extra.1, material: 0 });
         assert!((spans(&scene)[0][1] - small[1]).abs() < 0.1, "{extra:?}: {:?}", spans(&scene));
@@ -92,4 +93,35 @@ fn the_map_of_small_things_is_of_the_things_on_the_ground_and_takes_nobodys_room
     // Seventeen suns have a map each, as there is no room for two.
     scene.lights = vec![wide.lights[0].clone(); 17];
     assert_eq!(spans(&scene).len(), 17);
+}
+
+#[test]
+fn what_is_small_is_found_beside_what_does_not_count() {
+    let wide = wide_ground(Vec3::Y, true);
+    let faces = sphere_faces(&wide)[3];
+    let [small, _] = spans(&wide)[..] else { panic!("a sun has two maps") };
+    // A marble on a ball: the ball is wide beside it, and the ground beside both.
+    let mut scene = wide.clone();
+    scene.spheres[0] = Sphere { center: Vec3::new(1.2, 2.05, 0.3), radius: 0.05, material: 0 };
+    scene.spheres.remove(2);
+    let [marble, ball, ground] = sphere_faces(&scene)[..] else { panic!("three spheres") };
+    assert!(marble == SPHERE_FACES && ball > SPHERE_FACES && ground.abs_diff(faces) < faces / 8, "{ball} {ground}");
+    // A corner of a model that no face uses.
+    let mut scene = wide.clone();
+    let mut bust = small_bust();
+    let mut model = (*bust.model).clone();
+    let before = bust.corners().count();
+    model.positions.push(Vec3::splat(1e6));
+    bust.model = std::sync::Arc::new(model);
+    assert_eq!(bust.corners().count(), before);
+    scene.meshes.push(bust);
+    assert!(sphere_faces(&scene)[3] > SPHERE_FACES && spans(&scene)[0][1] < 2.0 * small[1]);
+    // A ground so large that nothing beside it can be told apart from what is rounded off.
+    let mut scene = wide_ground(Vec3::Y, false);
+    scene.triangles[0].vertices.iter_mut().for_each(|corner| *corner *= 100.0);
+    assert_eq!(spans(&scene).len(), 1);
+}
+
+fn small_bust() -> Mesh {
+    small(&root().join("scenes/bust.toml"), [8, 8], 1).meshes.swap_remove(0)
 }

@@ -39,7 +39,7 @@ struct Lamp {
     // POINT, DIRECTIONAL or NESTED.
     kind: u32,
     power: vec3f,
-    // The first of its lenses: one, or six for a point light (+x -x +y -y +z -z). NONE: no shadow.
+    // The first of its lenses: one, two if nested, or six for a point light (+x -x +y -y +z -z). NONE: no shadow.
     lens: u32,
 }
 
