@@ -19,6 +19,7 @@ mod size;
 mod source;
 pub mod value;
 
+pub(crate) use bounds::around;
 pub use draft::{Draft, Held};
 pub use error::Error;
 pub use file::{Behavior, Filter, Method, Specular};

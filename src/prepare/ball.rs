@@ -53,7 +53,7 @@ pub(super) fn balls(scene: &Scene) -> Vec<Ball> {
     let mut seen = if order.is_empty() { None } else { scene.bounds_without_spheres() };
     for number in order {
         let sphere = &scene.spheres[number];
-        let around = [sphere.center - sphere.radius, sphere.center + sphere.radius];
+        let around = sphere.bounds();
         let [low, high] = seen.unwrap_or(around);
         let (middle, size) = ((low + high) * 0.5, low.distance(high) * 0.5);
         let away = (middle.distance(sphere.center) - sphere.radius).abs();

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::scene::{Scene, Sphere};
+use crate::scene::{Scene, Sphere, around};
 
 /// How many times as large as all smaller ones together a thing is, at least, that makes them small.
 const LARGER: f32 = 8.0;
@@ -11,9 +11,9 @@ const LARGER: f32 = 8.0;
 /// such steps the one between the largest. A sphere all around the others is a sky, and no such thing.
 pub(super) fn small_things(scene: &Scene) -> Option<[Vec3; 2]> {
     let size = |[low, high]: [Vec3; 2]| low.distance(high);
-    let spheres = scene.spheres.iter().map(|s| ([s.center - s.radius, s.center + s.radius], Some(s)));
-    let triangles = scene.triangles.iter().map(|t| around(t.vertices));
-    let meshes = scene.meshes.iter().map(|mesh| around(mesh.corners()));
+    let spheres = scene.spheres.iter().map(|sphere| (sphere.bounds(), Some(sphere)));
+    let triangles = scene.triangles.iter().filter_map(|t| around(t.vertices));
+    let meshes = scene.meshes.iter().filter_map(|mesh| around(mesh.corners()));
     let flat = triangles.chain(meshes).map(|thing| (thing, None));
     let mut boxes: Vec<_> = spheres.chain(flat).collect();
     boxes.retain(|(thing, _)| size(*thing) > 0.0 && size(*thing).is_finite());
@@ -30,9 +30,4 @@ pub(super) fn small_things(scene: &Scene) -> Option<[Vec3; 2]> {
         smaller = [low.min(thing[0]), high.max(thing[1])];
     }
     found
-}
-
-fn around(points: impl IntoIterator<Item = Vec3>) -> [Vec3; 2] {
-    let none = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-    points.into_iter().fold(none, |[low, high], p| [low.min(p), high.max(p)])
 }

@@ -2,13 +2,13 @@
 
 use glam::Vec3;
 
-use super::{Mesh, Scene};
+use super::{Mesh, Scene, Sphere};
 
 impl Scene {
     /// The middle of the box around all spheres, triangles and models, and a corner of it; nothing if there is none.
     #[must_use]
     pub fn bounds(&self) -> Option<[Vec3; 2]> {
-        let spheres = self.spheres.iter().flat_map(|s| [s.center - s.radius, s.center + s.radius]);
+        let spheres = self.spheres.iter().flat_map(Sphere::bounds);
         let [low, high] = around(spheres.chain(self.bounds_without_spheres().into_iter().flatten()))?;
         Some([(low + high) * 0.5, high])
     }
@@ -21,8 +21,17 @@ impl Scene {
     }
 }
 
-fn around(points: impl Iterator<Item = Vec3>) -> Option<[Vec3; 2]> {
+impl Sphere {
+    /// The lowest and the highest corner of the box around it.
+    #[must_use]
+    pub fn bounds(&self) -> [Vec3; 2] {
+        [self.center - self.radius, self.center + self.radius]
+    }
+}
+
+/// The lowest and the highest corner of the box around points; nothing if there are none.
+pub(crate) fn around(points: impl IntoIterator<Item = Vec3>) -> Option<[Vec3; 2]> {
     let none = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-    let [low, high] = points.fold(none, |[low, high], p| [low.min(p), high.max(p)]);
+    let [low, high] = points.into_iter().fold(none, |[low, high], p| [low.min(p), high.max(p)]);
     (low.x <= high.x).then_some([low, high])
 }

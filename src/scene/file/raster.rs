@@ -16,9 +16,9 @@ pub struct Raster {
     /// MiB. 2048 unless given. A point light has six, whose depths begin at a hundredth of the distance to the scene's
     /// far side, or nearer where something is: down to a hundred thousandth of it, before which nothing casts a shadow.
     /// A directional light without a camera has two, each of half that size if there is no room, where one thing (a
-    /// ground, say) is at least eight times as large as all smaller ones together: the first of these alone, so that their
-    /// shadows are sharp. There is room for 32 maps; lights after those cast no shadows, and a note says so. Infinite planes cast shadows as
-    /// far as the maps reach, which is around all other things.
+    /// ground, say) is at least eight times as large as all smaller ones together: the first of these alone, so that
+    /// their shadows are sharp. There is room for 32 maps; lights after those cast no shadows, and a note says so.
+    /// Infinite planes cast shadows as far as the maps reach, which is around all other things.
     pub shadow_size: ShadowSize,
     /// What a light still counts for where it is shadowed. 0.3 unless given.
     pub shadow: Weight,
