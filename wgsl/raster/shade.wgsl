@@ -66,6 +66,11 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
     let right = uv_by(across, a, b, c);
     let down = uv_by(below, a, b, c);
 
+    // The only lamp's map is read before the pictures are, so that both are on their way from memory at the same time.
+    var only = 1.0;
+    if (LAMPS == 1u) {
+        only = reaches(lamp_at(0u), p);
+    }
     let look = look_of(paint, uv, right, down);
     let albedo = paint.color * look.color;
     var n = unit(sum_by(w, a.normal, b.normal, c.normal));
@@ -89,7 +94,10 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         if (lamp.kind == POINT) {
             l = unit(lamp.place - p);
         }
-        let share = reaches(lamp, p);
+        var share = only;
+        if (LAMPS > 1u) {
+            share = reaches(lamp, p);
+        }
         open += share / f32(LAMPS);
         if (dot(n, l) > 0.0) {
             let power = lamp.power * (canvas.shade + (1.0 - canvas.shade) * share);
