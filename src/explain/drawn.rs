@@ -107,6 +107,9 @@ pub struct Shadow {
     /// Where the fragment is, as the light sees it.
     #[serde(flatten)]
     pub sight: Sight,
+    /// Which of the light's shadow maps is asked: of a point light a direction, as `-y`; of a sun with two of them `small
+    /// things` or `all`; empty where there is but one.
+    pub map: &'static str,
     /// Texels along a side of the shadow map.
     pub side: u32,
     /// The depth in the fragment's texel, what the slope adds to it included; nothing where nothing was drawn.

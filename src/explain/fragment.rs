@@ -10,7 +10,7 @@ use super::things;
 use crate::cpu::raster::snap::{outcode, snap};
 use crate::cpu::witness::{Fragment, Picture, Sight, Term, Witness};
 use crate::scene::Scene;
-use crate::tables::{Lens, NO_DEPTH};
+use crate::tables::{Lamp, Lens, NO_DEPTH};
 
 /// What was told.
 #[derive(Debug, Default)]
@@ -66,7 +66,7 @@ impl Heard {
         let corners = [face.a, face.b, face.c].map(|i| drawing.vertices[i as usize].position);
         let lights =
             self.lamps.into_iter().zip(&drawing.lamps).enumerate().map(|(number, ((sight, term), lamp))| {
-                let shadow = sight.map(|sight| shadow(drawn, scene, sight));
+                let shadow = sight.map(|sight| shadow(drawn, scene, lamp, sight));
                 Lit { light: things::light(scene, number), intensity: lamp.power, shadow, term }
             });
         let z = fragment.clip.map(|c| c.w);
@@ -103,10 +103,13 @@ fn on_film(eye: &Lens, fragment: &Fragment, at: Vec2) -> Option<Corners> {
     })
 }
 
-fn shadow(drawn: &Drawn, scene: &Scene, sight: Sight) -> Shadow {
+fn shadow(drawn: &Drawn, scene: &Scene, lamp: &Lamp, sight: Sight) -> Shadow {
     let lens = &drawn.drawing.lenses[sight.lens as usize];
     let side = lens.width;
-    let Some(texel) = sight.texel else { return Shadow { sight, side, stored: None, bias: None, caster: None } };
+    let map = lamp.sides().get((sight.lens - lamp.lens) as usize).copied().unwrap_or_default();
+    let Some(texel) = sight.texel else {
+        return Shadow { sight, map, side, stored: None, bias: None, caster: None };
+    };
     let column = texel.column.clamp(0, lens.width as i32 - 1) as u32;
     let row = texel.row.clamp(0, lens.height as i32 - 1) as u32;
     let near = drawn.shadows.nears[(lens.first + row * lens.width + column) as usize].load(Relaxed);
@@ -114,6 +117,7 @@ fn shadow(drawn: &Drawn, scene: &Scene, sight: Sight) -> Shadow {
     let caster = stored.and_then(|_| caster(&drawn.drawing, lens, [column, row]));
     Shadow {
         sight,
+        map,
         side,
         stored,
         bias: stored.zip(caster).map(|(stored, caster)| stored.saturating_sub(caster.depth)),

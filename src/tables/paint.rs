@@ -68,6 +68,18 @@ pub struct Lamp {
     pub lens: u32,
 }
 
+impl Lamp {
+    /// What its lenses show, in their order; nothing to tell of a single one.
+    #[must_use]
+    pub const fn sides(&self) -> &'static [&'static str] {
+        match self.kind {
+            super::POINT => &["+x", "-x", "+y", "-y", "+z", "-z"],
+            super::NESTED => &["small things", "all"],
+            _ => &[""],
+        }
+    }
+}
+
 /// How pixels are colored.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]

@@ -2,9 +2,10 @@
 
 use glam::Quat;
 use twinlight::cpu::first::first;
+use twinlight::explain::{Explainer, Samples};
 use twinlight::math::Vec3;
 use twinlight::prepare::{SPHERE_FACES, draw, sphere_faces};
-use twinlight::scene::{Light, Maps, Mesh, Method, Scene, Show, Sphere, Triangle};
+use twinlight::scene::{Light, Maps, Mesh, Method, Reach, Scene, Show, Sphere, Triangle};
 use twinlight::tables::Lens;
 
 use super::agree::{alike, centered, found, traced_id};
@@ -120,6 +121,17 @@ fn what_is_small_is_found_beside_what_does_not_count() {
     let mut scene = wide_ground(Vec3::Y, false);
     scene.triangles[0].vertices.iter_mut().for_each(|corner| *corner *= 100.0);
     assert_eq!(spans(&scene).len(), 1);
+}
+
+/// An explained shadow names the map that was asked.
+#[test]
+fn which_of_a_suns_maps_is_asked_is_told() {
+    let explainer = Explainer::new(&wide_ground(Vec3::Y, false), Method::Raster, &Reach::default()).unwrap();
+    let map = |pixel| {
+        let Samples::Raster(samples) = explainer.pixel(pixel).unwrap().samples else { panic!("it is drawn") };
+        samples[0].seen.as_ref().and_then(|seen| seen.lights[0].shadow.as_ref()).map(|shadow| shadow.map)
+    };
+    assert_eq!([map([99, 65]), map([5, 40]), map([99, 2])], [Some("small things"), Some("all"), None]);
 }
 
 fn small_bust() -> Mesh {

@@ -21,7 +21,7 @@ The object of --json, all vectors as lists, null where there is nothing, samples
     maps { diffuse specular exponent normal } albedo specular exponent
     tangents smooth normal view ambient
     lights { light intensity toward share power phong diffuse specular
-      shadow { lens clip texel { column row depth open asked } side stored bias caster } } } }
+      shadow { lens clip texel { column row depth open asked } map side stored bias caster } } } }
   trace { at color rays { way parent depth inside weight origin direction background
     meets { thing kind t point normal maps tangents shading color specular local exponent random
       lights { light toward phong color before arrives blocker }

@@ -89,6 +89,9 @@ fn lit(page: &mut Page<'_, '_>, lit: &Lit) -> fmt::Result {
 }
 
 fn shadow(page: &mut Page<'_, '_>, shadow: &Shadow) -> fmt::Result {
+    if !shadow.map.is_empty() {
+        page.row("shadow map", &format!("    of {}", shadow.map), "texel")?;
+    }
     let clip = shadow.sight.clip;
     let at = clip.truncate() / clip.w;
     page.row("seen by the light at", &vector(at), "texel")?;

@@ -1,6 +1,6 @@
 //! the depths that a light sees -> a picture of them, small enough for a window
 
-use crate::tables::{Drawing, Lens, NESTED, NO_DEPTH, NONE, POINT};
+use crate::tables::{Drawing, Lens, NO_DEPTH, NONE};
 
 /// Pixels a side of such a picture at most.
 const MOST: u32 = 512;
@@ -18,18 +18,11 @@ pub struct LightMap {
     pub grays: Vec<u8>,
 }
 
-const SIDES: [&str; 6] = ["+x", "-x", "+y", "-y", "+z", "-z"];
-
 /// Pictures of what the lights of a drawing see; `depths`: their images, one after the other.
 pub(super) fn light_maps(drawing: &Drawing, depths: &[u32]) -> Vec<LightMap> {
     let mut maps = Vec::new();
     for (lamp, number) in drawing.lamps.iter().zip(1..).filter(|(lamp, _)| lamp.lens != NONE) {
-        let sides: &[&str] = match lamp.kind {
-            POINT => &SIDES,
-            NESTED => &["small things", "all"],
-            _ => &[""],
-        };
-        for (side, lens) in sides.iter().zip(&drawing.lenses[lamp.lens as usize..]) {
+        for (side, lens) in lamp.sides().iter().zip(&drawing.lenses[lamp.lens as usize..]) {
             let name = if side.is_empty() { format!("light {number}") } else { format!("light {number}, {side}") };
             maps.push(light_map(name, lens, depths));
         }
