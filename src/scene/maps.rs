@@ -62,7 +62,7 @@ impl<'a> Pictures<'a> {
             return Ok(self.add(key, texture, left));
         }
         let picture = self.picture(file)?;
-        let Picture { file, width, height, mut texels, .. } = picture;
+        let Picture { file, width, height, mut texels, has_alpha, .. } = picture;
         let mut left = strength;
         if content == Content::Normal {
             match bump::kind(&texels) {
@@ -79,7 +79,6 @@ impl<'a> Pictures<'a> {
                 }
             }
         }
-        let has_alpha = texels.iter().any(|texel| texel[3] < 255);
         let texture = Texture { file, content, width, height, texels, has_alpha };
         self.read.borrow_mut().insert(key.clone(), (texture.clone(), left));
         Ok(self.add(key, texture, left))

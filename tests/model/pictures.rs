@@ -145,6 +145,23 @@ fn sharing() {
     assert_eq!(warnings(&model), ["m.mtl:5: the picture `./x/../P.png`: there is no such file; `p.png` is used"]);
 }
 
+/// A picture in color that has an alpha channel is as opaque as that says, wholly so included; a gray one without a hole
+/// in it is a mask, and so is a TGA file whose fourth byte is no alpha.
+#[test]
+fn what_says_how_opaque_a_picture_is() {
+    let opaque = |texel: [u8; 4]| {
+        let model = model("newmtl a\nmap_d p.png\n", &[("p.png", png(2, 2, move |_, _| texel))]);
+        model.textures[0].has_alpha
+    };
+    assert_eq!([[40, 120, 30, 255], [40, 40, 40, 200], [40, 40, 40, 255]].map(opaque), [true, true, false]);
+    let tga = |bits_of_alpha: u8| {
+        let mut bytes = vec![0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 32, bits_of_alpha];
+        bytes.extend([10, 20, 30, 0]);
+        model("newmtl a\nmap_d p.tga\n", &[("p.tga", bytes)]).textures[0].has_alpha
+    };
+    assert_eq!([0, 8].map(tga), [false, true]);
+}
+
 /// The last part of another machine's path, beside the MTL file and beside the OBJ file.
 #[test]
 fn other_machines_paths() {

@@ -44,7 +44,8 @@ impl<'a> Finder<'a> {
 
     /// Opens what `name`, written in a file of the folder `base`, means. In this order: the name; the
     /// name from the OBJ file's folder; each in other capitals; the last part of the name, in both
-    /// folders, since many files carry the paths of another machine.
+    /// folders, since many files carry the paths of another machine; the name and its last part in the
+    /// scene's folder and in those that are searched beside it.
     ///
     /// # Errors
     /// Why the name itself is refused.
@@ -57,7 +58,9 @@ impl<'a> Finder<'a> {
         };
         let home = self.obj.parent().unwrap_or(Path::new("")).to_path_buf();
         let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
-        for (folder, name) in [(base, name), (&home, name), (base, last), (&home, last)] {
+        let root = Path::new("");
+        for (folder, name) in [(base, name), (&home, name), (base, last), (&home, last), (root, name), (root, last)]
+        {
             let Ok(path) = Confined::relative(folder, name) else { continue };
             for path in [Some(path.clone()), self.look_alike(&path)].into_iter().flatten() {
                 if let Ok(opened) = self.folder.open(&path) {

@@ -51,6 +51,8 @@ pub struct Picture {
     pub height: u32,
     /// Top row first.
     pub texels: Arc<[[u8; 4]]>,
+    /// Whether its alpha says how opaque it is.
+    pub has_alpha: bool,
     /// What is doubtful about it.
     pub note: Option<String>,
 }
@@ -150,7 +152,7 @@ impl<'a> Pictures<'a> {
             }
             Some((_, clamp)) => bump::to_normals(&picture.texels, picture.width, asked.strength, clamp).into(),
         };
-        let has_alpha = heights.is_none() && texels.iter().any(|texel| texel[3] < 255);
+        let has_alpha = heights.is_none() && picture.has_alpha;
         let (file, width, height) = (picture.file.clone(), picture.width, picture.height);
         let texture = self.add(Texture { file, content, width, height, texels, has_alpha });
         self.made.insert(key, texture);
@@ -257,9 +259,15 @@ pub fn decode(bytes: &[u8], file: &str, limits: &Limits, budget: &mut Budget) ->
         ));
     }
     budget.take(4 * texels).map_err(|_| "there is no memory left for it".to_owned())?;
-    let raw = guard(|| reader().decode())?.into_rgba8().into_raw();
+    let decoded = guard(|| reader().decode())?;
+    // A TGA file of 32 bits a texel says in byte 17 how many of them are alpha.
+    let bits_of_alpha = if is_tga { bytes.get(17).map_or(0, |byte| byte & 15) } else { 8 };
+    let kept = decoded.color().has_alpha() && bits_of_alpha > 0;
+    let raw = decoded.into_rgba8().into_raw();
+    // A gray picture that is opaque everywhere is a mask whose program knows no other format.
+    let has_alpha = kept && raw.as_chunks().0.iter().any(|&[r, g, b, a]| a < 255 || r != g || g != b);
     let note = is_cut_short(bytes, format).then(|| "it is cut short; what is there is used".to_owned());
-    Ok(Picture { file: file.to_owned(), width, height, texels: Arc::from(raw.as_chunks().0), note })
+    Ok(Picture { file: file.to_owned(), width, height, texels: Arc::from(raw.as_chunks().0), has_alpha, note })
 }
 
 /// The decoders are others' code fed with anybody's bytes: should one panic after all, a picture is lost
