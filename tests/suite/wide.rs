@@ -126,9 +126,12 @@ fn what_is_small_is_found_beside_what_does_not_count() {
 /// An explained shadow names the map that was asked.
 #[test]
 fn which_of_a_suns_maps_is_asked_is_told() {
-    let explainer = Explainer::new(&wide_ground(Vec3::Y, false), Method::Raster, &Reach::default()).unwrap();
+    let explainer =
+        Explainer::new(&wide_ground(Vec3::Y, false), Method::Raster, &Reach::default()).expect("an explainer");
     let map = |pixel| {
-        let Samples::Raster(samples) = explainer.pixel(pixel).unwrap().samples else { panic!("it is drawn") };
+        let Samples::Raster(samples) = explainer.pixel(pixel).expect("a pixel").samples else {
+            panic!("it is drawn")
+        };
         samples[0].seen.as_ref().and_then(|seen| seen.lights[0].shadow.as_ref()).map(|shadow| shadow.map)
     };
     assert_eq!([map([99, 65]), map([5, 40]), map([99, 2])], [Some("small things"), Some("all"), None]);
