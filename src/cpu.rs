@@ -6,6 +6,7 @@
 pub mod film;
 pub mod first;
 mod four;
+pub mod grays;
 mod grow;
 mod lanes;
 pub mod raster;

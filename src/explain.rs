@@ -28,6 +28,7 @@ pub use place::{DRAWN, Places, TRACED};
 pub use things::Thing;
 pub use traced::{Kind, Meeting, Onward, ShadowRay, Traced, TracedSample, Way};
 
+use crate::cpu::grays::grays;
 use crate::prepare::{self, room};
 use crate::scene::{Method, Reach, Scene, Show};
 use crate::tables::{Drawing, Tables};
@@ -99,7 +100,11 @@ impl Explainer {
     pub fn new(scene: &Scene, method: Method, reach: &Reach) -> Result<Self, Error> {
         room::within(scene, method, reach)?;
         match method {
-            Method::Raster => Self::drawn(scene, Arc::new(prepare::draw(scene))),
+            Method::Raster => {
+                let mut drawing = prepare::draw(scene);
+                grays(scene, &mut drawing);
+                Self::drawn(scene, Arc::new(drawing))
+            }
             Method::Trace if scene.raster.show == Show::Steps => Err(Error::Steps),
             Method::Trace => Ok(Self::traced(scene, Arc::new(prepare::prepare(scene)))),
         }

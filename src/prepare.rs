@@ -15,7 +15,7 @@ mod sizes;
 mod window;
 
 pub use ball::{SPHERE_FACES, sphere_faces};
-pub use draw::{Scenery, draw};
+pub use draw::{Scenery, draw, glance};
 pub use mesh::PLANE_FACES;
 
 use glam::Vec3;

@@ -145,7 +145,7 @@ pub enum Show {
     /// The picture itself.
     #[default]
     Color,
-    /// Distance from the eye: near is bright.
+    /// Distance from the eye: near is bright, and the grays go over what the whole picture shows.
     Depth,
     /// The share of the lights that reaches a point.
     Shadow,

@@ -26,8 +26,8 @@ const NEAR: f32 = 1e-2;
 /// The least such share: the bias must stay above what f32 rounds off a depth.
 const LEAST_NEAR: f32 = 1e-5;
 
-/// How many times as far as the point that is looked at middle gray may lie, where depths are shown.
-const FARTHER: f32 = 8.0;
+/// Columns and rows of a glance.
+const GLANCE: [u32; 2] = [96, 64];
 
 /// What f32 rounds off corners far away, in shares of their distance and of that where depths begin: a face that is cut
 /// there is off by so much.
@@ -77,7 +77,7 @@ impl Scenery {
         sheet.triangles(scene);
         let (bounds, solid) = (bounds(&sheet), [sheet.vertices.len(), sheet.faces.len()]);
         let small = small(scene);
-        let mut scenery = Self { drawing: nothing(scene, bounds), textures: Vec::new(), bounds, small, solid };
+        let mut scenery = Self { drawing: nothing(scene), textures: Vec::new(), bounds, small, solid };
         scenery.lay(sheet, scene);
         scenery
     }
@@ -114,19 +114,19 @@ impl Scenery {
                 face.paint &= !CUT_OUT;
             }
         }
-        self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene, self.bounds) };
+        self.drawing = Drawing { vertices, faces, paints, texels, ..nothing(scene) };
         self.textures = textures;
         lamps(scene, self.bounds, self.small, &mut self.drawing);
     }
 }
 
 /// The eyes and the canvas, and nothing drawn yet.
-fn nothing(scene: &Scene, bounds: Option<Bounds>) -> Drawing {
+fn nothing(scene: &Scene) -> Drawing {
     Drawing {
         eyes: eyes(scene),
         most: MOST_PIXELS,
         lenses: Vec::new(),
-        canvas: canvas(scene, bounds),
+        canvas: canvas(scene),
         vertices: Vec::new(),
         faces: Vec::new(),
         paints: Vec::new(),
@@ -179,14 +179,18 @@ fn view(camera: &Camera, aspect: f32, film: [u32; 2], region: &[Range<u32>; 2], 
     perspective(&seat, half, [camera.near, camera.far], size, shift)
 }
 
-fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
+/// What the camera sees of the whole picture, on a small film.
+#[must_use]
+pub fn glance(scene: &Scene) -> Lens {
+    let [width, height] = scene.film.size;
+    let whole = GLANCE.map(|side| 0..side);
+    Lens { cull: 1, ..view(&scene.camera, width as f32 / height as f32, GLANCE, &whole, [0.0; 2]) }
+}
+
+fn canvas(scene: &Scene) -> Canvas {
     let settings = &scene.raster;
-    let eye = scene.camera.position;
-    let ahead = eye.distance(scene.camera.look_at);
-    // As far as the scene's things, but not a sky's or a wide floor's.
-    let reach = bounds.map_or(ahead, |b| eye.distance(b.center).max(b.radius).clamp(ahead, ahead * FARTHER));
     Canvas {
-        eye,
+        eye: scene.camera.position,
         lamps: scene.lights.len() as u32,
         background: scene.film.background,
         specular: match settings.specular {
@@ -212,7 +216,10 @@ fn canvas(scene: &Scene, bounds: Option<Bounds>) -> Canvas {
             Show::Tiles => tables::SHOW_TILES,
             Show::Wire => tables::SHOW_WIRE,
         },
-        reach,
+        depth_times: 1.0,
+        depth_plus: 0.0,
+        pad_a: 0,
+        pad_b: [0; 2],
     }
 }
 

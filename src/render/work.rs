@@ -6,6 +6,7 @@ use std::ops::{ControlFlow, Range};
 
 use super::tables::tables;
 use super::{Error, Good};
+use crate::cpu::grays::grays;
 use crate::cpu::raster::CpuRaster;
 use crate::cpu::trace::CpuTrace;
 use crate::film::ledger::Subject;
@@ -85,7 +86,8 @@ impl Work {
                 Kind::Traced(Box::new(tables), samples)
             }
             Method::Raster => {
-                let drawing = draw(scene);
+                let mut drawing = draw(scene);
+                grays(scene, &mut drawing);
                 let bare = drawing.lamps.iter().filter(|lamp| lamp.lens == NONE).count();
                 // Where there is nothing to cast them there are no shadow maps either.
                 if bare > 0 && drawing.lenses.len() + 6 > MOST_LENSES as usize {

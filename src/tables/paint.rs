@@ -102,8 +102,14 @@ pub struct Canvas {
     pub blur: u32,
     /// What is shown: [`SHOW_COLOR`] or one of its ingredients.
     pub show: u32,
-    /// Distance from the eye that is shown as middle gray.
-    pub reach: f32,
+    /// Where depths are shown, what is shown is this over the distance along the axis of the eye,
+    pub depth_times: f32,
+    /// and this added.
+    pub depth_plus: f32,
+    /// Nothing.
+    pub pad_a: u32,
+    /// Nothing.
+    pub pad_b: [u32; 2],
 }
 
 /// The bit of [`Map::levels`] that says that a picture does not repeat.

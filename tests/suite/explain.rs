@@ -1,5 +1,6 @@
 //! What is told of a pixel is what the picture is made of: to the bit, for random pixels of every scene.
 
+use twinlight::cpu::grays::grays;
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::explain::{Error, Explainer, Explanation, Samples, Seen, Traced, TracedSample, Way};
 use twinlight::film::Film;
@@ -15,7 +16,8 @@ fn film_of(scene: &Scene, method: Method) -> Film {
     if method == Method::Trace {
         return on_cpu(&tables_of(scene));
     }
-    let drawing = draw(scene);
+    let mut drawing = draw(scene);
+    grays(scene, &mut drawing);
     let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, &mut |_| ());
     film
 }

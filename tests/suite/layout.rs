@@ -152,7 +152,24 @@ fn structs_are_the_same() {
             }
         ),
         mirror!(module, Lamp { place, kind, power, lens }),
-        mirror!(module, Canvas { eye, lamps, background, specular, ambient, shade, filtering, blur, show, reach }),
+        mirror!(
+            module,
+            Canvas {
+                eye,
+                lamps,
+                background,
+                specular,
+                ambient,
+                shade,
+                filtering,
+                blur,
+                show,
+                depth_times,
+                depth_plus,
+                pad_a,
+                pad_b
+            }
+        ),
         mirror!(module, Print { width, height, across, down, pitch, transfer, pad }),
         mirror!(module, View { eye, width, right, height, up, grid, back, seed, inside, pad_a, pad_b }),
     ];

@@ -67,6 +67,7 @@ use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use twinlight::cpu::grays::grays;
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::trace::CpuTrace;
 use twinlight::film::compare::{Standard, compare};
@@ -132,7 +133,8 @@ fn scene_on_cpu(scene: &Scene) -> Film {
     if scene.method == Method::Trace {
         return on_cpu(&tables_of(scene));
     }
-    let drawing = draw(scene);
+    let mut drawing = draw(scene);
+    grays(scene, &mut drawing);
     let Ok(film) = raster::frame(&mut CpuRaster::new(&drawing), &drawing, &mut |_| ());
     film
 }
@@ -143,7 +145,8 @@ fn scene_on_gpu(sources: &Sources, scene: &Scene) -> Result<Film, gpu::Error> {
         return on_gpu(sources, &tables_of(scene));
     }
     let gpu = gpu();
-    let drawing = draw(scene);
+    let mut drawing = draw(scene);
+    grays(scene, &mut drawing);
     let film = raster::frame(&mut GpuRaster::new(&gpu, sources, &drawing)?, &drawing, &mut |_| ())?;
     assert_eq!(gpu.complaint(), None, "wgpu complained");
     Ok(film)

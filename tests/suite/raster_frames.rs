@@ -2,14 +2,15 @@
 
 use twinlight::cpu::shade::scale::HEATS;
 use twinlight::film::compare::{Standard, compare};
+use twinlight::film::pass::{Pass, Values};
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{self, Wanted};
 use twinlight::math::Vec3;
 use twinlight::prepare::draw;
-use twinlight::render::{Backend, Renderer};
+use twinlight::render::{Backend, Renderer, Work};
 use twinlight::scene::model::{Content, Map, Texture};
 use twinlight::scene::{Camera, Filter, Light, Maps, Method, Scene, Show, Specular, Triangle};
-use twinlight::tables::ONE_SIDED;
+use twinlight::tables::{NONE, ONE_SIDED};
 
 use super::{Dice, planted, random_scene, root, scene_on_cpu, scene_on_gpu, small};
 
@@ -93,6 +94,32 @@ fn every_view_and_filter_is_the_same_to_the_bit() {
         let gpu = scene_on_gpu(&Sources::default(), &scene).expect("a film");
         let comparison = compare(&scene_on_cpu(&scene), &gpu, Standard::Exact).expect("one size");
         assert!(comparison.passes(), "{show:?}: {comparison:#?}");
+    }
+}
+
+/// The grays of depths go over what is seen, from near to far, and are the same for each part of a picture.
+#[test]
+fn depths_are_told_apart_by_their_grays() {
+    for name in ["bust", "room", "stones", "dahlia"] {
+        let mut scene = small(&root().join(format!("scenes/{name}.toml")), [97, 61], 1);
+        (scene.method, scene.raster.show) = (Method::Raster, Show::Depth);
+        let work = || Work::new(&scene, Method::Raster).expect("there is room");
+        let mut renderer = Renderer::open(Backend::Cpu, &Wanted::Best).expect("the CPU");
+        let film = renderer.make(&work(), &mut |_| ()).expect("a film").film;
+        let pass = renderer.layers(&work(), &film, &[Pass::Depth], &mut |_| ()).expect("a pass");
+        let Values::One(depths) = &pass[0].values else { panic!("a depth is one number") };
+        let mut seen: Vec<_> = (0..97 * 61)
+            .filter(|&i| film.ids()[i as usize] != NONE)
+            .map(|i| (depths[i as usize], film.color(i).x))
+            .collect();
+        seen.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let falls = |pair: &[(f32, f32)]| pair[0].1 >= pair[1].1 - 1e-5;
+        assert!(seen.windows(2).all(falls), "{name}: something is darker than what is farther");
+        let [nearest, farthest] = [seen[seen.len() / 50].1, seen[seen.len() * 49 / 50].1];
+        assert!((nearest - 1.0).abs() < 0.1 && (farthest - 0.1).abs() < 0.1, "{name}: {nearest} to {farthest}");
+        let part = work().crop(13..40, 7..30).expect("it lies within");
+        let part = renderer.make(&part, &mut |_| ()).expect("a film").film;
+        assert!((0..27 * 23).all(|i| part.color(i) == film.color((i / 27 + 7) * 97 + i % 27 + 13)), "{name}");
     }
 }
 

@@ -59,8 +59,12 @@ struct Canvas {
     blur: u32,
     // What is shown: SHOW_COLOR or one of its ingredients.
     show: u32,
-    // Distance from the eye that is shown as middle gray.
-    reach: f32,
+    // Where depths are shown, what is shown is this over the distance along the axis of the eye,
+    depth_times: f32,
+    // and this added.
+    depth_plus: f32,
+    pad_a: u32,
+    pad_b: vec2u,
 }
 
 const CLAMPED: u32 = 0x80000000u;

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use super::lights::{LightMap, light_maps};
 use super::{Error, Progress, Wish};
 use crate::cpu::film::develop::develop;
+use crate::cpu::grays::grays;
 use crate::cpu::raster::{CpuRaster, Image};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuImage, GpuRaster, Screen};
@@ -59,7 +60,8 @@ enum On<'g> {
 
 impl<'g> Drawn<'g> {
     pub(super) fn new(gpu: &'g Gpu, sources: &Sources, wish: &Wish) -> Result<Self, Error> {
-        let scenery = Scenery::new(&wish.scene);
+        let mut scenery = Scenery::new(&wish.scene);
+        grays(&wish.scene, &mut scenery.drawing);
         let drawing = &scenery.drawing;
         let on = match wish.side {
             super::Side::Gpu => {
@@ -107,6 +109,7 @@ impl<'g> Drawn<'g> {
         let mut scene = is.clone();
         scene.film.size = size;
         self.scenery.aim(&scene);
+        grays(&scene, &mut self.scenery.drawing);
         let drawing = &self.scenery.drawing;
         // Where the holes of cut-out faces are, and with them their shadows, hangs on how pictures are read.
         let holes = was.raster.filter != is.raster.filter && drawing.laced();

@@ -55,9 +55,8 @@ impl Work {
                     let film = show(&self.showing(drawing, pass))?;
                     let seen = film.ids().iter().map(|id| *id != NONE);
                     let shown = film.sums().iter().map(|sum| Vec3::new(sum[0], sum[1], sum[2]) / sum[3]).zip(seen);
-                    let reach = drawing.canvas.reach;
-                    let one = |value: fn(f32, f32) -> f32, nothing: f32| {
-                        let values = shown.clone().map(|(v, seen)| if seen { value(v.x, reach) } else { nothing });
+                    let one = |value: fn(f32) -> f32, nothing: f32| {
+                        let values = shown.clone().map(|(v, seen)| if seen { value(v.x) } else { nothing });
                         Values::One(values.collect())
                     };
                     let three = |value: fn(Vec3) -> Vec3| {
@@ -67,9 +66,8 @@ impl Work {
                     let values = match pass {
                         Pass::Normal => three(|v| v * 2.0 - 1.0),
                         Pass::Albedo => three(|v| v),
-                        Pass::Shadow => one(|v, _| v, 0.0),
-                        // What is shown is reach / (reach + depth).
-                        _ => one(|v, reach| reach / v - reach, f32::INFINITY),
+                        Pass::Shadow => one(|v| v, 0.0),
+                        _ => one(|v| 1.0 / v, f32::INFINITY),
                     };
                     layers.push(Layer { pass, values });
                 }
@@ -88,6 +86,7 @@ impl Work {
             Pass::Shadow => SHOW_SHADOW,
             _ => SHOW_DEPTH,
         };
+        (drawing.canvas.depth_times, drawing.canvas.depth_plus) = (1.0, 0.0);
         if pass != Pass::Shadow {
             // No light is asked, so none needs its shadows.
             (drawing.lenses, drawing.lamps) = (Vec::new(), Vec::new());
