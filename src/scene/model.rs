@@ -185,7 +185,7 @@ pub struct Texture {
     /// Row by row, **top row first** (so v = 1 is at the start), red green blue alpha. Two textures of
     /// one file but of different content share them.
     pub texels: Arc<[[u8; 4]]>,
-    /// Whether any alpha is below 255.
+    /// Whether its alpha says how opaque it is: it has an alpha channel, and is in color or not opaque everywhere.
     pub has_alpha: bool,
 }
 

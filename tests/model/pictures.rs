@@ -179,6 +179,24 @@ fn other_machines_paths() {
     );
 }
 
+/// A model in a folder of its own, whose picture lies in the scene's, or in one that is searched: both are roots.
+#[test]
+fn pictures_beside_the_scene() {
+    let scratch = Scratch::new();
+    scratch
+        .file("a/m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        .file("a/m.mtl", "newmtl a\nmap_Kd p.png\nmap_Ks ../../else/t/q.png\n")
+        .file("p.png", png(2, 2, |_, _| [255, 0, 0, 255]))
+        .file("q.png", png(2, 2, |_, _| [0, 255, 0, 255]));
+    let model = scratch.read("a/m.obj").unwrap();
+    let said = warnings(&model);
+    assert!(
+        said.len() == 2 && said[0].ends_with("`p.png` is used") && said[1].ends_with("`q.png` is used"),
+        "{said:?}"
+    );
+    assert_eq!(model.textures.len(), 2);
+}
+
 /// What is missing or broken is told, and the surface is a checkerboard.
 #[test]
 fn stand_ins() {

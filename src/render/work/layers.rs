@@ -67,6 +67,7 @@ impl Work {
                         Pass::Normal => three(|v| v * 2.0 - 1.0),
                         Pass::Albedo => three(|v| v),
                         Pass::Shadow => one(|v| v, 0.0),
+                        // What is shown is one over the depth.
                         _ => one(|v| 1.0 / v, f32::INFINITY),
                     };
                     layers.push(Layer { pass, values });
