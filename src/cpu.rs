@@ -9,6 +9,7 @@ mod four;
 pub mod grays;
 mod grow;
 mod lanes;
+mod look;
 pub mod raster;
 pub mod shade;
 pub mod trace;

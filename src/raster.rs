@@ -6,6 +6,10 @@
 //!              -> sift -> shade, ground                                                    -> Film
 //! ```
 //!
+//! Where small faces cover the film several times, split takes them in portions, and far -> veil say between these what
+//! hides the next one: a face that lies behind it is left out before it is drawn pixel by pixel. None that shows is, so
+//! that portions do not show either.
+//!
 //! Cut-out faces go the same way once more, each lens's after all others, with lace in the place of cover: it asks
 //! their pictures whether they are there. Instead of sift, shade and ground, crowd -> heat show how much each tile has
 //! to do (`--show tiles`). On a GPU, call says between stages how large the next dispatches are.
@@ -16,8 +20,12 @@
 //! all others become pieces, which are sorted into tiles that a workgroup owns.
 
 mod frame;
+mod portions;
 
-pub use frame::{bands, draw, frame, look, part};
+pub use frame::{bands, draw, frame, look, marked, part};
+pub use portions::Portions;
+
+use std::ops::Range;
 
 use crate::tables::Lens;
 
@@ -52,13 +60,37 @@ pub trait Raster {
     /// If the stage cannot be done.
     fn project(&mut self, lens: &Lens) -> Result<(), Self::Error>;
 
+    /// How many faces there are.
+    fn faces(&self) -> u32;
+
+    /// All of them, as they are drawn one after the other: what is drawn of some may hide the next.
+    fn portions(&self, lens: &Lens) -> Vec<Range<u32>>;
+
+    /// image -> of each cell of 8 x 8 pixels the farthest
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn far(&mut self, lens: &Lens, image: &Self::Image) -> Result<(), Self::Error>;
+
+    /// the farthest of each cell -> what hides a face that begins in it: the farthest of 1, of 2 x 2 and of 3 x 3 cells
+    ///
+    /// # Errors
+    /// If the stage cannot be done.
+    fn veil(&mut self, lens: &Lens) -> Result<(), Self::Error>;
+
     /// faces -> small ones drawn onto the image, and the numbers of all others
     ///
     /// `lace`: of cut-out faces, none of which is drawn at once; else of all others.
     ///
     /// # Errors
     /// If the stage cannot be done.
-    fn split(&mut self, lens: &Lens, image: &mut Self::Image, lace: bool) -> Result<(), Self::Error>;
+    fn split(
+        &mut self,
+        lens: &Lens,
+        image: &mut Self::Image,
+        lace: bool,
+        faces: Range<u32>,
+    ) -> Result<(), Self::Error>;
 
     /// faces that are large or cross a plane -> pieces of them, bin by bin
     ///
@@ -105,7 +137,10 @@ pub trait Raster {
     /// # Errors
     /// If the work was not done, or not to its end, or there is no room.
     fn settle(&mut self, lens: &Lens, image: &mut Self::Image) -> Result<bool, Self::Error>;
+}
 
+/// What an eye needs beside: the methods of the stages that follow.
+pub trait Look: Raster {
     /// small faces and the final depths -> the least id where the depth is theirs
     ///
     /// # Errors

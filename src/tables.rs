@@ -24,7 +24,7 @@ mod view;
 
 pub use instance::Instance;
 pub use leaf::{INSTANCE, Leaf, PLANE, SPHERE, TRIANGLE};
-pub use lens::{BIN, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, REGION, STEEPEST, TILE};
+pub use lens::{BIN, CELL, DEEP, Lens, MOST_ENTRIES, MOST_LENSES, NO_DEPTH, REGION, STEEPEST, TILE};
 pub use light::{DIRECTIONAL, Light, NESTED, POINT};
 pub use material::{DIFFUSE, GLASS, MIRROR, Material};
 pub use mesh::{CUT_OUT, Face, ONE_SIDED, Part, Vertex};

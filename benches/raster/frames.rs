@@ -6,7 +6,7 @@ use std::path::Path;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Gpu, GpuRaster, Variant};
 use twinlight::prepare::draw as drawing_of;
-use twinlight::raster::{Raster as _, draw};
+use twinlight::raster::{Look as _, Raster as _, draw, marked};
 use twinlight::scene::{Filter, Light};
 use twinlight::tables::{Drawing, NO_DEPTH};
 
@@ -65,7 +65,7 @@ pub(crate) fn whole(gpu: &Gpu, name: &str, drawing: &Drawing, by_stage: bool, cl
             let lit = clock() - start;
             ours.clear(&mut image).expect("clear");
             draw(&mut ours, eye, &mut image).expect("a drawing");
-            ours.mark(eye, &mut image).expect("mark");
+            marked(&mut ours, eye, &mut image).expect("mark");
             ours.told().expect("marks");
             let seen = clock() - start;
             ours.sift(eye, &image).expect("sift");

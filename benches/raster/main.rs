@@ -58,8 +58,16 @@ fn stages(ours: &mut GpuRaster<'_>, lens: &Lens, image: &mut GpuImage, clock: Cl
     at = lap(ours, "clear", at);
     ours.project(lens).expect("project");
     at = lap(ours, "project", at);
-    ours.split(lens, image, false).expect("split");
-    at = lap(ours, "split", at);
+    for faces in ours.portions(lens) {
+        if faces.start > 0 {
+            ours.far(lens, image).expect("far");
+            at = lap(ours, "far", at);
+            ours.veil(lens).expect("veil");
+            at = lap(ours, "veil", at);
+        }
+        ours.split(lens, image, false, faces).expect("split");
+        at = lap(ours, "split", at);
+    }
     ours.cut(lens).expect("cut");
     at = lap(ours, "cut", at);
     ours.count(lens).expect("count");
@@ -122,10 +130,14 @@ fn main() {
     let busy = flags.iter().any(|flag| flag == "--busy");
     let clock: Clock = if busy { clock::process } else { on_the_wall };
     let size = [1920, 1080];
-    let scenes: [(&str, Make); 6] = [
+    let scenes: [(&str, Make); 8] = [
         ("1 M of 2 px", |size| scenes::sheets(size, [1000, 500], 1)),
         ("1 M of 2 px, shuffled", |size| scenes::shuffled(scenes::sheets(size, [1000, 500], 1))),
         ("1 M of 8 px, 4 layers", |size| scenes::sheets(size, [500, 250], 4)),
+        ("1 M of 8 px, 4 layers, farthest first", |size| {
+            scenes::farthest_first(scenes::sheets(size, [500, 250], 4))
+        }),
+        ("250 k of 33 px, 4 layers", |size| scenes::sheets(size, [250, 125], 4)),
         ("40 k of 200 px, 4 layers", |size| scenes::sheets(size, [100, 50], 4)),
         ("64 full-screen, 32 layers", |size| scenes::sheets(size, [1, 1], 32)),
         ("4 M of 0.5 px", |size| scenes::sheets(size, [2000, 1000], 1)),

@@ -72,6 +72,12 @@ pub(crate) fn shuffled(mut drawing: Drawing) -> Drawing {
     drawing
 }
 
+/// The same faces, the farthest layer first, so that none hides the next: layers are a unit apart.
+pub(crate) fn farthest_first(mut drawing: Drawing) -> Drawing {
+    drawing.faces.sort_by_key(|face| drawing.vertices[face.a as usize].position.z.round() as i32);
+    drawing
+}
+
 /// The drawing under a sun of its own, whose shadow map the whole of it fills.
 pub(crate) fn lit(mut drawing: Drawing) -> Drawing {
     let toward = Vec3::new(0.3, 0.4, 1.0).normalize();

@@ -1,5 +1,6 @@
 //! Twins of `wgsl/raster`: the rasterizer's stages, over all cores.
 
+pub mod behind;
 pub mod call;
 pub mod clip;
 pub mod count;
@@ -7,6 +8,7 @@ pub mod cover;
 pub mod crowd;
 pub mod cut;
 pub mod facet;
+pub mod far;
 pub mod fill;
 pub mod ground;
 pub mod heat;
@@ -24,6 +26,7 @@ pub mod sift;
 pub mod snap;
 pub mod speck;
 pub mod split;
+pub mod veil;
 pub mod weights;
 
 use std::convert::Infallible;
@@ -32,8 +35,8 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 use rayon::prelude::*;
 
-use crate::raster::{Drawn, Raster, Seen};
-use crate::tables::{BIN, Corner, Drawing, Face, GROUP, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
+use crate::raster::{Portions, Raster, Seen};
+use crate::tables::{BIN, Corner, Drawing, Face, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
 
 /// What is nearest, row by row from the top left; each word may be written by any thread.
 #[derive(Debug, Default)]
@@ -56,10 +59,16 @@ impl Image {
 /// The rasterizer on the CPU, with what its stages hand on to each other.
 #[derive(Debug)]
 pub struct CpuRaster<'a> {
-    drawing: &'a Drawing,
+    pub(super) drawing: &'a Drawing,
     laced: bool,
     /// Of [`Raster::project`].
     pub corners: Vec<Corner>,
+    /// How the faces are divided.
+    pub portions: Portions,
+    /// Of [`Raster::far`].
+    pub cells: Vec<u32>,
+    /// Of [`Raster::veil`]; none until it is known.
+    pub veil: Vec<[u32; 4]>,
     /// Of [`Raster::split`], in order.
     pub late: Vec<u32>,
     /// Those of them that are in hand: those before are drawn.
@@ -71,7 +80,7 @@ pub struct CpuRaster<'a> {
     /// Of [`Raster::count`].
     pub counts: Vec<u32>,
     /// The counts of the portions that are drawn.
-    before: Vec<u32>,
+    pub(super) before: Vec<u32>,
     /// Of [`Raster::scan`], with the end of the last list.
     pub starts: Vec<u32>,
     /// Of [`Raster::scan`]: tiles with an entry.
@@ -110,6 +119,9 @@ impl<'a> CpuRaster<'a> {
             drawing,
             laced: drawing.laced(),
             corners: Vec::new(),
+            portions: Portions::new(drawing),
+            cells: Vec::new(),
+            veil: Vec::new(),
             late: Vec::new(),
             portion: 0..0,
             at_once: 64 << 20,
@@ -143,17 +155,6 @@ impl CpuRaster<'_> {
     }
 }
 
-/// The pixels of some of an image's runs.
-fn each_of(runs: &[u32], sums: &mut [[f32; 4]], work: impl Fn(u32, &mut [f32; 4]) + Sync) {
-    let mut rows: Vec<_> = sums.chunks_mut(GROUP as usize).map(Some).collect();
-    let taken: Vec<_> = runs.iter().filter_map(|run| Some((*run, rows[*run as usize].take()?))).collect();
-    taken.into_par_iter().for_each(|(run, sums)| {
-        for (sum, pixel) in sums.iter_mut().zip(run * GROUP..) {
-            work(pixel, sum);
-        }
-    });
-}
-
 impl Raster for CpuRaster<'_> {
     type Image = Image;
     type Error = Infallible;
@@ -169,26 +170,60 @@ impl Raster for CpuRaster<'_> {
     }
 
     fn project(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        self.veil.clear();
         self.corners = self.drawing.vertices.par_iter().map(|vertex| project::project(lens, vertex)).collect();
         (self.late, self.portion, self.before) = (Vec::new(), 0..0, Vec::new());
         Ok(())
     }
 
-    fn split(&mut self, lens: &Lens, image: &mut Image, lace: bool) -> Result<(), Infallible> {
-        self.tally = Tally::default();
+    fn faces(&self) -> u32 {
+        self.portions.faces()
+    }
+
+    fn portions(&self, lens: &Lens) -> Vec<Range<u32>> {
+        self.portions.of(lens)
+    }
+
+    fn far(&mut self, lens: &Lens, image: &Image) -> Result<(), Infallible> {
+        let cells = (0..lens.cells()[0]).into_par_iter();
+        self.cells = cells.map(|cell| far::far(lens, &image.nears, cell)).collect();
+        Ok(())
+    }
+
+    fn veil(&mut self, lens: &Lens) -> Result<(), Infallible> {
+        let cells = (0..lens.cells()[0]).into_par_iter();
+        self.veil = cells.map(|cell| veil::veil(lens, &self.cells, cell)).collect();
+        Ok(())
+    }
+
+    fn split(&mut self, lens: &Lens, image: &mut Image, lace: bool, faces: Range<u32>) -> Result<(), Infallible> {
+        let whole = faces.end == self.faces();
+        if faces.start == 0 {
+            self.tally = Tally::default();
+        }
         if self.portion.end > 0 && self.portion.end < self.late.len() {
-            self.portion = self.next(lens, self.portion.end);
+            if whole {
+                self.portion = self.next(lens, self.portion.end);
+            }
             return Ok(());
         }
-        let corners = &self.corners;
-        let chunks = self.drawing.faces.par_chunks(CHUNK).enumerate().map(|(chunk, faces)| {
-            let ids = (chunk * CHUNK) as u32..;
-            let late =
-                faces.iter().zip(ids).filter(|(face, _)| split::split(lens, face, corners, lace, &image.nears));
+        if faces.start == 0 {
+            (self.late, self.portion) = (Vec::new(), 0..0);
+        }
+        let (corners, veil) = (&self.corners, &self.veil);
+        let all = &self.drawing.faces[faces.start as usize..faces.end as usize];
+        let chunks = all.par_chunks(CHUNK).enumerate().map(|(chunk, some)| {
+            let ids = faces.start + (chunk * CHUNK) as u32..;
+            let late = some
+                .iter()
+                .zip(ids)
+                .filter(|(face, _)| split::split(lens, face, corners, lace, veil, &image.nears));
             late.map(|(_, id)| id).collect::<Vec<_>>()
         });
-        self.late = chunks.flatten_iter().collect();
-        self.portion = self.next(lens, 0);
+        self.late.par_extend(chunks.flatten_iter());
+        if whole {
+            self.portion = self.next(lens, 0);
+        }
         Ok(())
     }
 
@@ -248,52 +283,5 @@ impl Raster for CpuRaster<'_> {
             *before += count;
         }
         Ok(false)
-    }
-
-    fn mark(&mut self, lens: &Lens, image: &mut Image) -> Result<(), Infallible> {
-        let faces = self.drawing.faces.par_iter().zip(0_u32..self.drawing.faces.len() as u32);
-        faces.for_each(|(face, id)| mark::mark(lens, id, face, &self.corners, &image.nears, &image.ids));
-        Ok(())
-    }
-
-    fn sift(&mut self, lens: &Lens, image: &Image) -> Result<(), Infallible> {
-        self.runs = sift::sift(&image.ids[..lens.pixels() as usize]);
-        Ok(())
-    }
-
-    fn shade(&mut self, lens: &Lens, image: &Image, shadows: &Image) -> Result<(), Infallible> {
-        self.sums.resize(lens.pixels() as usize, [0.0; 4]);
-        each_of(&self.runs[0], &mut self.sums, |pixel, sum| {
-            let id = NONE - image.ids[pixel as usize].load(Relaxed);
-            shade::shade(self.drawing, lens, &shadows.nears, pixel, id, sum, &mut ());
-        });
-        Ok(())
-    }
-
-    fn ground(&mut self, lens: &Lens) -> Result<(), Infallible> {
-        self.sums.resize(lens.pixels() as usize, [0.0; 4]);
-        each_of(&self.runs[1], &mut self.sums, |_, sum| ground::ground(self.drawing, sum));
-        Ok(())
-    }
-
-    fn crowd(&mut self, lens: &Lens) -> Result<(), Infallible> {
-        for (count, before) in self.counts.iter_mut().zip(&self.before) {
-            *count += before;
-        }
-        crowd::crowd(lens, &self.drawing.faces, &self.corners, &mut self.counts);
-        Ok(())
-    }
-
-    fn heat(&mut self, lens: &Lens) -> Result<(), Infallible> {
-        self.sums.resize(lens.pixels() as usize, [0.0; 4]);
-        let pixels = self.sums.par_iter_mut().zip(0_u32..lens.pixels());
-        pixels.for_each(|(sum, pixel)| heat::heat(lens, &self.counts, pixel, sum));
-        Ok(())
-    }
-
-    fn end(&mut self, lens: &Lens, image: &Image) -> Result<Drawn, Infallible> {
-        let mut ids = image.seen().1;
-        ids.truncate(lens.pixels() as usize);
-        Ok((std::mem::take(&mut self.sums), ids))
     }
 }

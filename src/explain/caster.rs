@@ -3,7 +3,7 @@
 use bytemuck::Zeroable as _;
 
 use crate::cpu::raster::CpuRaster;
-use crate::raster::{Raster as _, Seen, draw};
+use crate::raster::{Raster as _, Seen, draw, marked};
 use crate::tables::{Drawing, Face, Lens, Map, NONE, Paint};
 
 /// What casts a shadow.
@@ -47,6 +47,6 @@ fn seen(drawing: &Drawing, texel: &Lens) -> Seen {
     let mut stages = CpuRaster::new(drawing);
     let Ok(mut image) = stages.image(1, true);
     let Ok(()) = draw(&mut stages, texel, &mut image);
-    let Ok(()) = stages.mark(texel, &mut image);
+    let Ok(()) = marked(&mut stages, texel, &mut image);
     image.seen()
 }

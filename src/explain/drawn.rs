@@ -11,7 +11,7 @@ use crate::cpu::raster::shade::shade;
 use crate::cpu::raster::{CpuRaster, Image};
 use crate::cpu::witness::{Fragment, Picture, Sight, Term};
 use crate::film::Film;
-use crate::raster::{Raster as _, draw};
+use crate::raster::{Raster as _, draw, marked};
 use crate::scene::Scene;
 use crate::tables::{Drawing, NONE};
 
@@ -147,7 +147,7 @@ impl Drawn {
         for (i, eye) in self.drawing.windows(&[x..x + 1, y..y + 1]).iter().flatten().enumerate() {
             let Ok(mut image) = stages.image(1, true);
             let Ok(()) = draw(&mut stages, eye, &mut image);
-            let Ok(()) = stages.mark(eye, &mut image);
+            let Ok(()) = marked(&mut stages, eye, &mut image);
             let (depths, ids) = image.seen();
             let mut heard = Heard::default();
             shade(&self.drawing, eye, &self.shadows.nears, 0, ids[0], &mut sum, &mut heard);

@@ -1,7 +1,9 @@
 //! The rasterizer's stages as kernels.
 
 mod keep;
+mod look;
 mod part;
+mod read;
 mod stages;
 mod variant;
 
@@ -13,8 +15,8 @@ use bytemuck::Zeroable as _;
 
 use super::wgsl::Sources;
 use super::{Binding, Buffer, Error, Gpu, Kernel, Texels};
-use crate::raster::Seen;
-use crate::tables::{Canvas, Corner, Drawing, GROUP, Lens, NO_DEPTH, NONE, Piece, TILE, Tally};
+use crate::raster::Portions;
+use crate::tables::{CELL, Canvas, Drawing, GROUP, Lens, Piece, TILE, Tally};
 use part::{Bound, parts};
 use variant::Laces;
 
@@ -40,6 +42,10 @@ pub struct GpuRaster<'a> {
     /// Whether cut-out faces are what is drawn.
     in_lace: bool,
     parts: Vec<Bound>,
+    /// How the faces are divided.
+    pub portions: Portions,
+    /// Whether what the veil hides is hidden from the lens that was projected last.
+    veiled: bool,
     lens: Buffer<Lens>,
     lenses: Texels,
     canvas: Buffer<Canvas>,
@@ -48,6 +54,10 @@ pub struct GpuRaster<'a> {
     texels: Texels,
     tally: Buffer<Tally>,
     calls: Buffer<[u32; 4]>,
+    /// Of `far`.
+    pub cells: Buffer<u32>,
+    /// Of `veil`.
+    veil: Texels,
     /// Of `split`, in any order; the tally says how many.
     pub late: Buffer<u32>,
     /// Of `cut`, in any order; the tally says how many.
@@ -81,13 +91,19 @@ fn sizes(drawing: &Drawing) -> [usize; 2] {
     [pixels, tiles.unwrap_or(0)].map(|count| count as usize)
 }
 
+/// Cells of a tile.
+const CELLS: usize = ((TILE / CELL) * (TILE / CELL)) as usize;
+
 /// Where there are two of one stage, the first draws onto a light's image, the second onto an eye's.
 #[derive(Debug)]
 struct Kernels {
     variant: Variant,
     sources: Sources,
     project: Kernel,
-    split: [Kernel; 2],
+    far: [Kernel; 2],
+    veil: Kernel,
+    /// Of faces before which nothing is drawn, and of those that may be hidden.
+    split: [[Kernel; 2]; 2],
     /// Of whole faces, and of those that cross a plane.
     cut: [Kernel; 2],
     call: Kernel,
@@ -96,7 +112,7 @@ struct Kernels {
     fill: Kernel,
     /// Of images whose rows are read word by word, and of those that are read four at once.
     cover: [[Kernel; 2]; 2],
-    mark: Kernel,
+    mark: [Kernel; 2],
     sift: Kernel,
     crowd: Kernel,
     heat: Kernel,
@@ -146,11 +162,18 @@ impl<'a> GpuRaster<'a> {
         let kernel = |name, eye| variant.kernel(gpu, sources, name, eye);
         let by_four = sources.clone().for_what("fours");
         let fours = |name, eye| variant.kernel(gpu, &by_four, name, eye);
+        let with_veil = sources.clone().for_what("veiled");
+        let veiled = |name, eye| variant.kernel(gpu, &with_veil, name, eye);
         let kernels = Kernels {
             variant,
             sources: sources.clone(),
             project: kernel("project", false)?,
-            split: [kernel("split", false)?, kernel("split", true)?],
+            far: [kernel("far", false)?, kernel("far", true)?],
+            veil: kernel("veil", false)?,
+            split: [
+                [kernel("split", false)?, kernel("split", true)?],
+                [veiled("split", false)?, veiled("split", true)?],
+            ],
             cut: [kernel("cut", false)?, variant.torn(gpu, sources)?],
             call: kernel("call", false)?,
             count: kernel("count", false)?,
@@ -160,7 +183,7 @@ impl<'a> GpuRaster<'a> {
                 [kernel("cover", false)?, kernel("cover", true)?],
                 [fours("cover", false)?, fours("cover", true)?],
             ],
-            mark: kernel("mark", true)?,
+            mark: [kernel("mark", true)?, veiled("mark", true)?],
             sift: kernel("sift", true)?,
             crowd: kernel("crowd", true)?,
             heat: kernel("heat", true)?,
@@ -189,6 +212,8 @@ impl<'a> GpuRaster<'a> {
             ground,
             laces,
             in_lace: false,
+            portions: Portions::new(drawing),
+            veiled: false,
             parts: parts(gpu, drawing, room.binding)?,
             lens: gpu.uniform("lens", &Lens::zeroed())?,
             lenses: gpu.texels("lenses", &drawing.lenses)?,
@@ -198,6 +223,8 @@ impl<'a> GpuRaster<'a> {
             texels: gpu.words("texels", &drawing.texels)?,
             tally: gpu.zeroed("tally", 1)?,
             calls: gpu.calls("calls", 6)?,
+            cells: gpu.zeroed("cells", CELLS * tiles)?,
+            veil: gpu.blank::<[u32; 4]>("veil", CELLS * tiles)?,
             late: gpu.zeroed("late", room.late.min(drawing.faces.len()).max(1))?,
             pieces: gpu.zeroed("pieces", room.pieces)?,
             counts: gpu.zeroed("counts", 2 * tiles)?,
@@ -223,8 +250,9 @@ impl<'a> GpuRaster<'a> {
         Ok(())
     }
 
-    fn split_of(&self, lace: bool) -> &[Kernel; 2] {
-        self.laces.as_ref().filter(|_| lace).map_or(&self.kernels.split, |laces| &laces.split)
+    fn split_of(&self, lace: bool, eye: bool) -> &Kernel {
+        let split = &self.kernels.split[usize::from(self.veiled)];
+        &self.laces.as_ref().filter(|_| lace).map_or(split, |laces| &laces.split)[usize::from(eye)]
     }
 
     fn recorded(&mut self) -> wgpu::CommandEncoder {
@@ -241,54 +269,6 @@ impl<'a> GpuRaster<'a> {
         ];
         self.kernels.call.dispatch(self.gpu, encoder, &bindings, 1)?;
         Ok(())
-    }
-
-    /// Of `project`, part after part.
-    ///
-    /// # Errors
-    /// If the device is lost or does not answer.
-    pub fn corners(&mut self) -> Result<Vec<Corner>, Error> {
-        self.told()?;
-        let read = |bound: &Bound| self.gpu.read_texels(&bound.corners, bound.part.vertices as usize);
-        let parts: Result<Vec<_>, _> = self.parts.iter().map(read).collect();
-        Ok(parts?.concat())
-    }
-
-    /// Of `call`: columns and rows of workgroups.
-    #[must_use]
-    pub fn calls(&self) -> &Buffer<[u32; 4]> {
-        &self.calls
-    }
-
-    /// Submits what is recorded and waits for it; what was counted since the lens was taken up.
-    ///
-    /// # Errors
-    /// If the device is lost or does not answer.
-    pub fn told(&mut self) -> Result<Tally, Error> {
-        let encoder = self.recorded();
-        let told = self.gpu.finish_and_read(encoder, &self.tally)?;
-        Ok(told.first().copied().unwrap_or_default())
-    }
-
-    /// Depths and ids of an image, in host memory.
-    ///
-    /// # Errors
-    /// If the device is lost or does not answer.
-    pub fn seen(&mut self, image: &GpuImage) -> Result<Seen, Error> {
-        let encoder = self.recorded();
-        let words = self.gpu.finish_and_read(encoder, &image.words)?;
-        if image.eye {
-            return Ok(words.chunks_exact(2).map(|pair| (NO_DEPTH - pair[1], NONE - pair[0])).unzip());
-        }
-        Ok((words.iter().map(|word| NO_DEPTH - word).collect(), Vec::new()))
-    }
-
-    /// Of `shade`: red, green, blue and the number of samples, added up since `end`.
-    ///
-    /// # Errors
-    /// If the device is lost or does not answer.
-    pub fn sums(&self) -> Result<Vec<[f32; 4]>, Error> {
-        self.gpu.read(&self.sums)
     }
 
     /// Makes room for what was counted; whether there was enough.

@@ -1,8 +1,9 @@
 //! a drawing -> its film, lens after lens and window after window
 
+use std::iter;
 use std::ops::{ControlFlow, Range};
 
-use super::Raster;
+use super::{Look, Raster};
 use crate::film::{Band, Film, Run, Watch, split};
 use crate::tables::{Drawing, Lens, SHOW_TILES};
 
@@ -41,7 +42,16 @@ fn layer<R: Raster>(
     asked: Asked<'_>,
 ) -> Result<ControlFlow<()>, R::Error> {
     loop {
-        stages.split(lens, image, lace)?;
+        // No cut-out face is small, so that none of them is hidden as a whole.
+        let whole = iter::once(0..stages.faces());
+        let portions = if lace { whole.collect() } else { stages.portions(lens) };
+        for faces in portions {
+            if faces.start > 0 {
+                stages.far(lens, image)?;
+                stages.veil(lens)?;
+            }
+            stages.split(lens, image, lace, faces)?;
+        }
         stages.cut(lens)?;
         stages.count(lens)?;
         stages.scan(lens)?;
@@ -60,11 +70,23 @@ fn layer<R: Raster>(
     }
 }
 
+/// What an eye sees, with its ids.
+///
+/// # Errors
+/// The backend's.
+pub fn marked<R: Look>(stages: &mut R, eye: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
+    if stages.portions(eye).len() > 1 {
+        stages.far(eye, image)?;
+        stages.veil(eye)?;
+    }
+    stages.mark(eye, image)
+}
+
 /// One sample of each pixel that an eye sees, added to the sums.
 ///
 /// # Errors
 /// The backend's.
-pub fn look<R: Raster>(
+pub fn look<R: Look>(
     stages: &mut R,
     drawing: &Drawing,
     eye: &Lens,
@@ -75,7 +97,7 @@ pub fn look<R: Raster>(
 }
 
 /// The same for who may stop it; then nothing is added.
-fn looked<R: Raster>(
+fn looked<R: Look>(
     stages: &mut R,
     drawing: &Drawing,
     eye: &Lens,
@@ -87,7 +109,7 @@ fn looked<R: Raster>(
     if drawn(stages, eye, image, asked)?.is_break() {
         return Ok(ControlFlow::Break(()));
     }
-    stages.mark(eye, image)?;
+    marked(stages, eye, image)?;
     if drawing.canvas.show == SHOW_TILES {
         stages.crowd(eye)?;
         stages.heat(eye)?;
@@ -103,7 +125,7 @@ fn looked<R: Raster>(
 ///
 /// # Errors
 /// The backend's.
-pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch) -> Result<Film, R::Error> {
+pub fn frame<R: Look>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch) -> Result<Film, R::Error> {
     part(stages, drawing, &drawing.film().map(|side| 0..side), watch)
 }
 
@@ -111,7 +133,7 @@ pub fn frame<R: Raster>(stages: &mut R, drawing: &Drawing, watch: &mut dyn Watch
 ///
 /// # Errors
 /// The backend's.
-pub fn part<R: Raster>(
+pub fn part<R: Look>(
     stages: &mut R,
     drawing: &Drawing,
     rectangle: &[Range<u32>; 2],
@@ -148,7 +170,7 @@ impl Steps {
 ///
 /// # Errors
 /// The backend's.
-pub fn bands<R: Raster>(
+pub fn bands<R: Look>(
     stages: &mut R,
     drawing: &Drawing,
     [columns, rows]: &[Range<u32>; 2],

@@ -61,6 +61,13 @@ impl Lens {
     pub fn tiles(&self) -> u32 {
         self.columns * self.height.div_ceil(TILE)
     }
+
+    /// Cells of its tiles, and how many of them are in a row.
+    #[must_use]
+    pub fn cells(&self) -> [u32; 2] {
+        let side = TILE / CELL;
+        [self.tiles() * side * side, self.columns * side]
+    }
 }
 
 /// The depth of the far plane; the near plane's is 0.
@@ -72,6 +79,8 @@ pub const NO_DEPTH: u32 = u32::MAX;
 pub const REGION: u32 = 8192;
 /// Pixels along the side of a tile.
 pub const TILE: u32 = 16;
+/// Pixels along the side of a cell, of which the farthest is known.
+pub const CELL: u32 = 8;
 /// Tiles along the side of a bin.
 pub const BIN: u32 = 8;
 /// Entries of each of a tile's lists that one dispatch draws.

@@ -40,6 +40,8 @@ pub struct Part {
     pub faces: u32,
     /// How many vertices they use.
     pub vertices: u32,
+    /// How many of its faces come before those in hand; `faces` counts them too.
+    pub begin: u32,
 }
 
 /// The face is not there when it is seen from its back.

@@ -49,6 +49,7 @@ mod raster_oracle;
 mod raster_order;
 mod raster_shadows;
 mod raster_shrink;
+mod raster_veil;
 mod raster_ways;
 mod raster_windows;
 mod schema;

@@ -8,7 +8,7 @@ use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{Error, Gpu, GpuRaster, Room, Variant};
 use twinlight::math::Vec3;
 use twinlight::prepare::lens::{Pose, perspective};
-use twinlight::raster::{Raster, draw};
+use twinlight::raster::{Look as _, Raster, draw, marked};
 use twinlight::tables::{Canvas, Drawing, Face, NO_DEPTH, NONE, ONE_SIDED, Paint, Piece, Vertex};
 
 use super::raster_shrink::{shrink, text};
@@ -81,7 +81,7 @@ pub(super) fn drawn_by<'a>(mut cpu: CpuRaster<'a>, drawing: &Drawing) -> (CpuRas
     let lens = &drawing.eyes[0];
     let Ok(mut image) = cpu.image(lens.pixels() as usize, true);
     let Ok(()) = draw(&mut cpu, lens, &mut image);
-    let Ok(()) = cpu.mark(lens, &mut image);
+    let Ok(()) = marked(&mut cpu, lens, &mut image);
     let Ok(()) = cpu.sift(lens, &image);
     let (depths, ids) = image.seen();
     (cpu, [depths, ids])
@@ -91,10 +91,11 @@ pub(super) fn drawn_by<'a>(mut cpu: CpuRaster<'a>, drawing: &Drawing) -> (CpuRas
 pub(super) fn on_gpu(kernels: &GpuRaster<'_>, drawing: &Drawing, room: usize) -> Result<[Vec<u32>; 2], Error> {
     let lens = &drawing.eyes[0];
     let mut stages = kernels.again(drawing, Room { late: room, pieces: room, entries: room, ..Room::default() })?;
+    stages.portions.fixed = Some(1 + room as u32 % 4);
     let mut image = stages.image(lens.pixels() as usize, true)?;
     stages.clear(&mut image)?;
     draw(&mut stages, lens, &mut image)?;
-    stages.mark(lens, &mut image)?;
+    marked(&mut stages, lens, &mut image)?;
     let (depths, ids) = stages.seen(&image)?;
     Ok([depths, ids])
 }
@@ -129,7 +130,7 @@ fn raster_stages_are_the_same() {
         let mut stages = kernels.again(&drawing, Room::default()).expect("buffers");
         let mut image = stages.image(lens.pixels() as usize, true).expect("an image");
         stages.project(lens).expect("project");
-        stages.split(lens, &mut image, false).expect("split");
+        stages.split(lens, &mut image, false, 0..stages.faces()).expect("split");
         let told = stages.told().expect("told");
         assert_eq!(stages.corners().expect("corners"), cpu.corners, "project, drawing {number}");
         let late = gpu.read(&stages.late).expect("late");

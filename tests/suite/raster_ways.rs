@@ -2,7 +2,7 @@
 
 use twinlight::gpu::wgsl::{FILES, Sources};
 use twinlight::gpu::{GpuRaster, Room, Variant};
-use twinlight::raster::{Raster as _, draw};
+use twinlight::raster::{Look as _, Raster as _, draw};
 use twinlight::tables::{Drawing, Face, Vertex};
 
 use super::gpu;

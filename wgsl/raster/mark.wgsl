@@ -1,7 +1,7 @@
 // small faces and the final depths -> the least id where the depth is theirs
 #import "tables/slice.wgsl"
 #import "tables/settings.wgsl"
-#import "raster/speck.wgsl"
+#import "raster/behind.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 // Of a pixel: NONE less the id, then the nearness.
@@ -40,5 +40,5 @@ fn main(
     @builtin(local_invocation_index) lane: u32,
 ) {
     let i = turn_of(group, groups) * GROUP + lane;
-    mark(speck(i), part.first + i);
+    mark(unveiled(speck(i)), part.first + i);
 }

@@ -2,7 +2,7 @@
 #import "tables/slice.wgsl"
 #import "tables/piece.wgsl"
 #import "tables/settings.wgsl"
-#import "raster/speck.wgsl"
+#import "raster/behind.wgsl"
 
 @group(0) @binding(0) var<uniform> lens: Lens;
 #if wide
@@ -56,8 +56,8 @@ fn main(
     @builtin(num_workgroups) groups: vec3u,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let i = turn_of(group, groups) * GROUP + lane;
-    let s = speck(i);
+    let i = part.begin + turn_of(group, groups) * GROUP + lane;
+    let s = unveiled(speck(i));
     draw(s, part.first + i);
     if (s.kind >= LATE) {
         // Whole ones from the list's front, torn ones from its end. What finds no room is counted all the same: the host

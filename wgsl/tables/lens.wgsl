@@ -44,6 +44,8 @@ const NO_DEPTH: u32 = 0xffffffffu;
 const REGION: u32 = 8192u;
 // Pixels along the side of a tile.
 const TILE: u32 = 16u;
+// Pixels along the side of a cell, of which the farthest is known.
+const CELL: u32 = 8u;
 // Tiles along the side of a bin.
 const BIN: u32 = 8u;
 // Entries of each of a tile's lists that one dispatch draws.

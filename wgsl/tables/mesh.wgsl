@@ -27,6 +27,8 @@ struct Part {
     first: u32,
     faces: u32,
     vertices: u32,
+    // How many of its faces come before those in hand; `faces` counts them too.
+    begin: u32,
 }
 
 // Tables in textures: a software adapter reads these four words at a time, and buffers word by word.

@@ -1,8 +1,9 @@
 //! a drawing that is kept -> another like it, of which only what is small goes to the device
 
 use super::part::parts;
-use super::{GpuRaster, Kernels, sizes};
+use super::{CELLS, GpuRaster, Kernels, sizes};
 use crate::gpu::{Buffer, Error};
+use crate::raster::Portions;
 use crate::tables::{Drawing, GROUP};
 
 impl GpuRaster<'_> {
@@ -14,6 +15,8 @@ impl GpuRaster<'_> {
     pub fn aim(&mut self, drawing: &Drawing, from: usize) -> Result<(), Error> {
         let [pixels, tiles] = sizes(drawing);
         if tiles > self.busy.len() {
+            self.cells = self.gpu.zeroed("cells", CELLS * tiles)?;
+            self.veil = self.gpu.blank::<[u32; 4]>("veil", CELLS * tiles)?;
             self.counts = self.gpu.zeroed("counts", 2 * tiles)?;
             self.starts = self.gpu.zeroed("starts", 2 * tiles + 1)?;
             self.busy = self.gpu.zeroed("busy", tiles)?;
@@ -23,6 +26,7 @@ impl GpuRaster<'_> {
             self.runs = self.gpu.zeroed("runs", pixels.div_ceil(GROUP as usize))?;
         }
         if from < drawing.vertices.len() {
+            self.portions = Portions::new(drawing);
             self.parts = parts(self.gpu, drawing, self.binding)?;
         }
         let Kernels { variant, sources, .. } = &*self.kernels;

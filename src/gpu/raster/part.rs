@@ -16,7 +16,8 @@ pub(super) struct Bound {
 
 impl Bound {
     fn new(gpu: &Gpu, first: usize, vertices: &[Vertex], faces: &[Face]) -> Result<Self, Error> {
-        let part = Part { first: first as u32, faces: faces.len() as u32, vertices: vertices.len() as u32 };
+        let part =
+            Part { first: first as u32, faces: faces.len() as u32, vertices: vertices.len() as u32, begin: 0 };
         Ok(Self {
             part,
             about: gpu.uniform("part", &part)?,

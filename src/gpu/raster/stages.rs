@@ -1,10 +1,12 @@
 //! The rasterizer's stages, recorded one after the other.
 
-use super::{COVER, CUT, CUT_TORN, GROUND, GpuImage, GpuRaster, SHADE, SORT};
+use super::{COVER, CUT, CUT_TORN, GpuImage, GpuRaster, SORT};
+use std::ops::Range;
+
 use crate::gpu::kernel::fold;
 use crate::gpu::{Binding, Error};
-use crate::raster::{Drawn, Raster};
-use crate::tables::{GROUP, Lens, MOST_ENTRIES};
+use crate::raster::Raster;
+use crate::tables::{Lens, MOST_ENTRIES, Part};
 
 /// Times that a lens asks `call`: after split, cut and scan.
 const CALLS: u32 = 3;
@@ -26,6 +28,7 @@ impl Raster for GpuRaster<'_> {
     }
 
     fn project(&mut self, lens: &Lens) -> Result<(), Error> {
+        self.veiled = false;
         self.gpu.write(&self.lens, &[*lens]);
         self.record(|this, encoder| {
             for bound in &this.parts {
@@ -41,26 +44,70 @@ impl Raster for GpuRaster<'_> {
         })
     }
 
-    fn split(&mut self, _lens: &Lens, image: &mut GpuImage, lace: bool) -> Result<(), Error> {
-        self.in_lace = lace;
+    fn faces(&self) -> u32 {
+        self.portions.faces()
+    }
+
+    fn portions(&self, lens: &Lens) -> Vec<Range<u32>> {
+        self.portions.of(lens)
+    }
+
+    fn far(&mut self, lens: &Lens, image: &GpuImage) -> Result<(), Error> {
         self.record(|this, encoder| {
-            this.tally.clear(encoder);
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("image", &image.words),
+                Binding::new("cells", &this.cells),
+            ];
+            this.kernels.far[usize::from(image.eye)].dispatch(this.gpu, encoder, &bindings, lens.cells()[0])?;
+            Ok(())
+        })
+    }
+
+    fn veil(&mut self, lens: &Lens) -> Result<(), Error> {
+        self.record(|this, encoder| {
+            let bindings = [
+                Binding::new("lens", &this.lens),
+                Binding::new("cells", &this.cells),
+                Binding::texels("veil", &this.veil),
+            ];
+            this.kernels.veil.dispatch(this.gpu, encoder, &bindings, lens.cells()[0])?;
+            Ok(())
+        })?;
+        self.veiled = true;
+        Ok(())
+    }
+
+    fn split(&mut self, _lens: &Lens, image: &mut GpuImage, lace: bool, faces: Range<u32>) -> Result<(), Error> {
+        self.in_lace = lace;
+        let last = faces.end == self.faces();
+        self.record(|this, encoder| {
+            if faces.start == 0 {
+                this.tally.clear(encoder);
+            }
             let words = Binding::new("image", &image.words);
             let wide = image.eye && this.kernels.variant.wide;
             for bound in &this.parts {
+                let Part { first, faces: count, .. } = bound.part;
+                let [begin, end] = [faces.start, faces.end].map(|at| at.clamp(first, first + count) - first);
+                if begin == end && count > 0 {
+                    continue;
+                }
+                let some = this.gpu.uniform("part", &Part { begin, faces: end, ..bound.part })?;
                 let bindings = [
                     Binding::new("lens", &this.lens),
-                    Binding::new("part", &bound.about),
+                    Binding::new("part", &some),
                     Binding::texels("corners", &bound.corners),
                     Binding::texels("faces", &bound.faces),
+                    Binding::texels("veil", &this.veil).optional(),
                     if wide { words.of_bytes(8) } else { words },
                     Binding::new("late", &this.late),
                     Binding::new("tally", &this.tally),
                 ];
-                let split = &this.split_of(lace)[usize::from(image.eye)];
-                split.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
+                let split = this.split_of(lace, image.eye);
+                split.dispatch(this.gpu, encoder, &bindings, end - begin)?;
             }
-            this.call(encoder)
+            if last { this.call(encoder) } else { Ok(()) }
         })
     }
 
@@ -199,122 +246,5 @@ impl Raster for GpuRaster<'_> {
         }
         self.gpu.write(&self.lens, &[*lens]);
         Ok(true)
-    }
-
-    fn mark(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        if self.kernels.variant.wide {
-            return Ok(());
-        }
-        self.record(|this, encoder| {
-            for bound in &this.parts {
-                let bindings = [
-                    Binding::new("lens", &this.lens),
-                    Binding::new("part", &bound.about),
-                    Binding::texels("corners", &bound.corners),
-                    Binding::texels("faces", &bound.faces),
-                    Binding::new("image", &image.words),
-                ];
-                this.kernels.mark.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
-            }
-            Ok(())
-        })
-    }
-
-    fn sift(&mut self, lens: &Lens, image: &GpuImage) -> Result<(), Error> {
-        self.record(|this, encoder| {
-            this.tally.clear(encoder);
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("image", &image.words),
-                Binding::new("runs", &this.runs),
-                Binding::new("tally", &this.tally),
-            ];
-            this.kernels.sift.dispatch(this.gpu, encoder, &bindings, lens.pixels().div_ceil(GROUP))?;
-            this.call(encoder)
-        })
-    }
-
-    fn shade(&mut self, _lens: &Lens, image: &GpuImage, shadows: &GpuImage) -> Result<(), Error> {
-        self.record(|this, encoder| {
-            for bound in &this.parts {
-                let bindings = [
-                    Binding::new("lens", &this.lens),
-                    Binding::new("canvas", &this.canvas),
-                    Binding::texels("lenses", &this.lenses),
-                    Binding::new("part", &bound.about),
-                    Binding::texels("vertices", &bound.vertices),
-                    Binding::texels("faces", &bound.faces),
-                    Binding::texels("paints", &this.paints),
-                    Binding::texels("lamps", &this.lamps),
-                    Binding::texels("texels", &this.texels).optional(),
-                    Binding::new("shadows", &shadows.words),
-                    Binding::new("image", &image.words),
-                    Binding::new("runs", &this.runs),
-                    Binding::new("tally", &this.tally),
-                    Binding::new("sums", &this.sums),
-                ];
-                this.shader.dispatch_called(this.gpu, encoder, &bindings, &this.calls, SHADE)?;
-            }
-            Ok(())
-        })
-    }
-
-    fn ground(&mut self, _lens: &Lens) -> Result<(), Error> {
-        self.record(|this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("canvas", &this.canvas),
-                Binding::new("runs", &this.runs),
-                Binding::new("tally", &this.tally),
-                Binding::new("sums", &this.sums),
-            ];
-            this.ground.dispatch_called(this.gpu, encoder, &bindings, &this.calls, GROUND)
-        })?;
-        let encoder = self.recorded();
-        self.gpu.finish(encoder)
-    }
-
-    fn crowd(&mut self, _lens: &Lens) -> Result<(), Error> {
-        self.record(|this, encoder| {
-            for bound in &this.parts {
-                let bindings = [
-                    Binding::new("lens", &this.lens),
-                    Binding::new("part", &bound.about),
-                    Binding::texels("corners", &bound.corners),
-                    Binding::texels("faces", &bound.faces),
-                    Binding::new("counts", &this.counts),
-                ];
-                this.kernels.crowd.dispatch(this.gpu, encoder, &bindings, bound.part.faces)?;
-            }
-            Ok(())
-        })
-    }
-
-    fn heat(&mut self, lens: &Lens) -> Result<(), Error> {
-        self.record(|this, encoder| {
-            let bindings = [
-                Binding::new("lens", &this.lens),
-                Binding::new("counts", &this.counts),
-                Binding::new("sums", &this.sums),
-            ];
-            this.kernels.heat.dispatch(this.gpu, encoder, &bindings, lens.pixels())?;
-            Ok(())
-        })?;
-        let encoder = self.recorded();
-        self.gpu.finish(encoder)
-    }
-
-    fn end(&mut self, lens: &Lens, image: &GpuImage) -> Result<Drawn, Error> {
-        let pixels = lens.pixels() as usize;
-        let mut sums = self.gpu.read(&self.sums)?;
-        sums.truncate(pixels);
-        let wanted = self.samples as f32;
-        if let Some(short) = sums.iter().find(|sum| sum[3] != wanted) {
-            return Err(Error::Incomplete(format!("a pixel has {} of {wanted} samples", short[3])));
-        }
-        self.begin();
-        let mut ids = self.seen(image)?.1;
-        ids.truncate(pixels);
-        Ok((sums, ids))
     }
 }

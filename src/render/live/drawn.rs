@@ -11,7 +11,7 @@ use crate::cpu::raster::{CpuRaster, Image};
 use crate::gpu::wgsl::Sources;
 use crate::gpu::{Gpu, GpuImage, GpuRaster, Screen};
 use crate::prepare::Scenery;
-use crate::raster::{Raster, draw, look};
+use crate::raster::{Look, Raster, draw, look};
 use crate::scene::{Scene, Show};
 use crate::tables::{Drawing, Lens, Print};
 
@@ -232,7 +232,7 @@ fn refit<R: Raster>(
 }
 
 /// A sample of each pixel, and the lights' depths before it if they are wanted.
-fn sample<R: Raster>(
+fn sample<R: Look>(
     stages: &mut R,
     drawing: &Drawing,
     eye: &Lens,
