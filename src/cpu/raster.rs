@@ -89,9 +89,9 @@ pub struct CpuRaster<'a> {
     pub entries: Vec<u32>,
     /// What was counted.
     pub tally: Tally,
-    /// Of [`Raster::sift`]: runs of pixels that show a face, and that show none, in order.
+    /// Of [`Look::sift`](crate::raster::Look::sift): runs of pixels that show a face, and that show none, in order.
     pub runs: [Vec<u32>; 2],
-    /// Of [`Raster::shade`]: red, green, blue and the number of samples in the sum.
+    /// Of [`Look::shade`](crate::raster::Look::shade): red, green, blue and the number of samples in the sum.
     pub sums: Vec<[f32; 4]>,
 }
 
