@@ -26,6 +26,7 @@ pub(super) struct Form {
 pub(super) fn form(scene: &Scene, meshes: Vec<usize>, sheet: &mut Sheet, builder: &dyn Builder) -> Form {
     let faces = sheet.model(&scene.meshes[meshes[0]], scene);
     let face = faces.start as u32;
+    sheet.turn(faces.start);
     let all = sheet.faces[faces].iter().zip(0..).map(|(face, id)| triangle(sheet, face, id));
     let all: Vec<Leaf> = all.filter(|leaf| across(leaf) != Vec3::ZERO).collect();
     let tree = builder.build(all.iter().map(around).collect());

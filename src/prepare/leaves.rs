@@ -28,6 +28,7 @@ pub(super) fn leaves(scene: &Scene, sheet: &mut Sheet, builder: &dyn Builder) ->
     for mesh in alone.into_iter().map(|i| &scene.meshes[i]) {
         sheet.stand(mesh, scene, scene.has_no_backs(mesh));
     }
+    sheet.turn(0);
     let along_u = |p: &Plane| p.axes()[0] / p.tile;
     let planes = scene.planes.iter().zip(scene.spheres.len() as u32..).map(|(p, id)| {
         let material = p.material as u32;

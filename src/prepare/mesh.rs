@@ -1,5 +1,6 @@
 //! objects of every kind -> vertices, faces, paints and texels
 
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -83,6 +84,20 @@ impl Sheet {
         let paint = mesh.material.map_or_else(|| Cover::Own(self.dressed(mesh, scene)), |_| Cover::With(0));
         self.mesh(mesh, scene.has_no_backs(mesh), paint, |p| p, |n| n);
         first..self.faces.len()
+    }
+
+    /// Turns each face from the `first` on, so that it begins with the corner that is first by x, y and z: faces with
+    /// the same corners are met by a ray at one distance to the bit, whichever way round they go.
+    pub(super) fn turn(&mut self, first: usize) {
+        let Self { vertices, faces, .. } = self;
+        let order = |p: Vec3, q: Vec3| p.to_array().partial_cmp(&q.to_array()).unwrap_or(Ordering::Equal);
+        faces[first..].par_iter_mut().for_each(|face| {
+            let mut corners = [face.a, face.b, face.c];
+            let at = |i: usize| vertices[corners[i] as usize].position;
+            let lead = (1..3).fold(0, |lead, i| if order(at(i), at(lead)).is_lt() { i } else { lead });
+            corners.rotate_left(lead);
+            [face.a, face.b, face.c] = corners;
+        });
     }
 
     /// The first of the paints of a model, whose pictures are there once.

@@ -56,6 +56,7 @@ mod schema;
 mod stages;
 mod textures;
 mod tidy;
+mod ties;
 mod time;
 mod trace_lace;
 mod trace_maps;

@@ -44,11 +44,11 @@ pub(super) fn meet(seat: &Seat, leaf: &Leaf, number: u32) -> f32 {
     let corners @ [a, b, c] = from.map(turned);
     let [[ax, ay], [bx, by], [cx, cy]] = corners.map(|[x, y, z]| [x - aim.shear.x * z, y - aim.shear.y * z]);
     let parts @ [u, v, w] = [cx * by - cy * bx, ax * cy - ay * cx, bx * ay - by * ax];
-    let area = u + v + w;
+    let area = u + (v + w);
     if (least(parts) < 0.0 && most(parts) > 0.0) || area == 0.0 {
         return FAR;
     }
-    let scaled = u * a[2] + v * b[2] + w * c[2];
+    let scaled = u * a[2] + (v * b[2] + w * c[2]);
     let sides = |corner: Vec3, side: f32| corner * aim.inverse + aim.own * side;
     let back = aim.inverse.cmplt(Vec3::ZERO);
     let low = from[0].min(from[1].min(from[2]));

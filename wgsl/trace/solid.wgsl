@@ -10,7 +10,7 @@ fn is_solid(ray: Ray, aim: Aim, leaf: Leaf, number: u32, material: u32, any: boo
     let b = turned(leaf.b - ray.origin, aim.axis);
     let c = turned(leaf.c - ray.origin, aim.axis);
     let e = edges(a, b, c, aim);
-    let area = e.x + e.y + e.z;
+    let area = e.x + (e.y + e.z);
     var solid = true;
     #repeat one_sided
     let front = (area > 0.0) == (aim.shear.z > 0.0);

@@ -49,9 +49,10 @@ fn meet_triangle(ray: Ray, triangle: Leaf, aim: Aim) -> f32 {
     let b = turned(from_b, aim.axis);
     let c = turned(from_c, aim.axis);
     let e = edges(a, b, c, aim);
-    let area = e.x + e.y + e.z;
+    // The same either way round, but for its sign.
+    let area = e.x + (e.y + e.z);
     let outside = (least(e) < 0.0 && most(e) > 0.0) || area == 0.0;
-    let scaled = e.x * a.z + e.y * b.z + e.z * c.z;
+    let scaled = e.x * a.z + (e.y * b.z + e.z * c.z);
     // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box,
     // so that no node hides what a test would find.
     let low = lower(from_a, lower(from_b, from_c));

@@ -80,14 +80,14 @@ impl<S: Simd> Seen<S> {
         let u = cx * by - cy * bx;
         let v = ax * cy - ay * cx;
         let w = bx * ay - by * ax;
-        let area = u + v + w;
+        let area = u + (v + w);
         let below = u.min(v.min(w)).simd_lt(0.0);
         let above = u.max(v.max(w)).simd_gt(0.0);
         let inside = asked & !((below & above) | area.simd_eq(0.0));
         if !inside.any_true() {
             return (area, inside);
         }
-        let scaled = u * a[2] + v * b[2] + w * c[2];
+        let scaled = u * a[2] + (v * b[2] + w * c[2]);
         let (x, y, z) = (self.sides(0), self.sides(1), self.sides(2));
         let enter = x.0.max(y.0.max(z.0));
         let leave = x.1.min(y.1.min(z.1));

@@ -11,7 +11,7 @@ use crate::tables::{CUT_OUT, Leaf, ONE_SIDED, Tables};
 #[must_use]
 pub fn is_solid(tables: &Tables, seat: &Seat, leaf: &Leaf, [number, material]: [u32; 2], any: bool) -> bool {
     let areas = areas(seat, leaf);
-    let area = areas.x + areas.y + areas.z;
+    let area = areas.x + (areas.y + areas.z);
     let front = (area > 0.0) == (seat.aim.shear.z > 0.0);
     let solid = any || front || leaf.kind & ONE_SIDED == 0;
     if !solid || leaf.kind & CUT_OUT == 0 {

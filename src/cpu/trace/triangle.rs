@@ -110,12 +110,13 @@ pub fn meet_triangle<S: Simd>(simd: S, leaf: &Leaf, sight: &Sight<S>) -> f32 {
     if below != 0 && above != 0 {
         return FAR;
     }
-    let area = areas[0] + areas[1] + areas[2];
+    // The same either way round, but for its sign.
+    let area = areas[0] + (areas[1] + areas[2]);
     if area == 0.0 {
         return FAR;
     }
     let scaled = areas * z;
-    let scaled = scaled[0] + scaled[1] + scaled[2];
+    let scaled = scaled[0] + (scaled[1] + scaled[2]);
     // Seen from its edge or from very far, a triangle of f32 is met where it is not: never outside of its box, so
     // that no node hides what a test would find.
     let low = a.min(b.min(c)) * sight.inverse;
