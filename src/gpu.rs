@@ -90,7 +90,7 @@ impl Gpu {
                 first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| error.to_string());
             }
         }));
-        let meter = Meter::new(&device, &queue);
+        let meter = Meter::new(&device, &queue, adapter.software);
         let images = adapter.software && device.limits().max_storage_textures_per_shader_stage >= IMAGES;
         Self { device, queue, adapter, lost, complaint, kernels: Mutex::default(), meter, images }
     }

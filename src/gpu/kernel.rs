@@ -231,13 +231,11 @@ impl Kernel {
             layout: &self.layout,
             entries: &entries,
         });
-        let timestamp_writes = gpu.stamp(&self.name);
-        let mut pass =
-            encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(&self.name), timestamp_writes });
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        dispatch(&mut pass);
-        Ok(())
+        gpu.timed(encoder, &self.name, |pass| {
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, &group, &[]);
+            dispatch(pass);
+        })
     }
 }
 

@@ -1,9 +1,10 @@
-//! passes of kernels -> how long each stage took, as the device's clock tells
+//! passes of kernels -> how long each stage took, as the device's clock tells, or the host's
 
+use std::mem;
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
-use super::Gpu;
+use super::{Error, Gpu};
 
 /// Passes of one submission that are timed; those after them are not.
 const MOST: u32 = 1024;
@@ -19,15 +20,23 @@ pub struct StageTime {
     pub took: Duration,
 }
 
-/// A clock for passes, where the adapter has one.
+/// A clock for passes.
 #[derive(Debug)]
 pub(super) struct Meter {
+    /// Not of a software adapter: Mesa's lavapipe writes some ticks a whole pass later than others. It has the host's
+    /// clock, and each pass for itself.
+    ticks: Option<Ticks>,
+    inner: Mutex<Inner>,
+}
+
+/// The device's own clock.
+#[derive(Debug)]
+struct Ticks {
     queries: wgpu::QuerySet,
-    ticks: wgpu::Buffer,
+    resolved: wgpu::Buffer,
     read: wgpu::Buffer,
     /// Nanoseconds of a tick.
     period: f32,
-    inner: Mutex<Inner>,
 }
 
 #[derive(Debug, Default)]
@@ -38,8 +47,17 @@ struct Inner {
     times: Vec<StageTime>,
 }
 
-impl Meter {
-    pub(super) fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Option<Self> {
+impl Inner {
+    fn add(&mut self, name: String, took: Duration) {
+        match self.times.iter_mut().find(|time| time.name == name) {
+            Some(time) => (time.passes, time.took) = (time.passes + 1, time.took + took),
+            None => self.times.push(StageTime { name, passes: 1, took }),
+        }
+    }
+}
+
+impl Ticks {
+    fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Option<Self> {
         if !device.features().contains(wgpu::Features::TIMESTAMP_QUERY) {
             return None;
         }
@@ -57,11 +75,18 @@ impl Meter {
                 ty: wgpu::QueryType::Timestamp,
                 count: 2 * MOST,
             }),
-            ticks: buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
+            resolved: buffer(wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC),
             read: buffer(wgpu::BufferUsages::MAP_READ),
             period: queue.get_timestamp_period(),
-            inner: Mutex::default(),
         })
+    }
+}
+
+impl Meter {
+    /// None where no clock tells what a pass takes.
+    pub(super) fn new(device: &wgpu::Device, queue: &wgpu::Queue, software: bool) -> Option<Self> {
+        let ticks = if software { None } else { Some(Ticks::new(device, queue)?) };
+        Some(Self { ticks, inner: Mutex::default() })
     }
 
     fn inner(&self) -> std::sync::MutexGuard<'_, Inner> {
@@ -69,7 +94,8 @@ impl Meter {
     }
 
     /// Where the next pass leaves its times.
-    pub(super) fn stamp(&self, name: &str) -> Option<wgpu::ComputePassTimestampWrites<'_>> {
+    fn stamp(&self, name: &str) -> Option<wgpu::ComputePassTimestampWrites<'_>> {
+        let ticks = self.ticks.as_ref()?;
         let mut inner = self.inner();
         let place = 2 * inner.recorded.len() as u32;
         if !inner.on || place >= 2 * MOST {
@@ -77,7 +103,7 @@ impl Meter {
         }
         inner.recorded.push(name.to_owned());
         Some(wgpu::ComputePassTimestampWrites {
-            query_set: &self.queries,
+            query_set: &ticks.queries,
             beginning_of_pass_write_index: Some(place),
             end_of_pass_write_index: Some(place + 1),
         })
@@ -85,44 +111,58 @@ impl Meter {
 
     /// Has the ticks copied to where the host can read them; the names of their passes.
     pub(super) fn fetch(&self, encoder: &mut wgpu::CommandEncoder) -> Vec<String> {
-        let names = std::mem::take(&mut self.inner().recorded);
-        if !names.is_empty() {
+        let names = mem::take(&mut self.inner().recorded);
+        if let Some(Ticks { queries, resolved, read, .. }) = self.ticks.as_ref().filter(|_| !names.is_empty()) {
             let count = 2 * names.len() as u32;
-            encoder.resolve_query_set(&self.queries, 0..count, &self.ticks, 0);
-            encoder.copy_buffer_to_buffer(&self.ticks, 0, &self.read, 0, Some(u64::from(count) * 8));
-            encoder.map_buffer_on_submit(&self.read, wgpu::MapMode::Read, .., |_| {});
+            encoder.resolve_query_set(queries, 0..count, resolved, 0);
+            encoder.copy_buffer_to_buffer(resolved, 0, read, 0, Some(u64::from(count) * 8));
+            encoder.map_buffer_on_submit(read, wgpu::MapMode::Read, .., |_| {});
         }
         names
     }
 
     /// Adds up what was fetched, once the submission is done.
     pub(super) fn learn(&self, names: Vec<String>) {
-        if names.is_empty() {
-            return;
-        }
+        let Some(Ticks { read, period, .. }) = self.ticks.as_ref().filter(|_| !names.is_empty()) else { return };
         {
-            let Ok(mapped) = self.read.get_mapped_range(..) else { return };
+            let Ok(mapped) = read.get_mapped_range(..) else { return };
             let ticks: Vec<[u64; 2]> = bytemuck::pod_collect_to_vec(&mapped[..names.len() * 16]);
             let mut inner = self.inner();
             for (name, [from, to]) in names.into_iter().zip(ticks) {
-                let took = Duration::from_nanos((to.saturating_sub(from) as f64 * f64::from(self.period)) as u64);
-                match inner.times.iter_mut().find(|time| time.name == name) {
-                    Some(time) => (time.passes, time.took) = (time.passes + 1, time.took + took),
-                    None => inner.times.push(StageTime { name, passes: 1, took }),
-                }
+                let took = Duration::from_nanos((to.saturating_sub(from) as f64 * f64::from(*period)) as u64);
+                inner.add(name, took);
             }
         }
-        self.read.unmap();
+        read.unmap();
     }
 }
 
 impl Gpu {
-    /// Where the next pass of a kernel leaves its times, if it is timed.
-    pub(super) fn stamp(&self, name: &str) -> Option<wgpu::ComputePassTimestampWrites<'_>> {
-        self.meter.as_ref()?.stamp(name)
+    /// Records a pass of a kernel, and times it if it is asked to.
+    pub(super) fn timed(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        name: &str,
+        record: impl FnOnce(&mut wgpu::ComputePass<'_>),
+    ) -> Result<(), Error> {
+        let meter = self.meter.as_ref();
+        let by_host = meter.filter(|meter| meter.ticks.is_none() && meter.inner().on);
+        if by_host.is_some() {
+            self.finish(mem::replace(encoder, self.encoder()))?;
+        }
+        let timestamp_writes = meter.and_then(|meter| meter.stamp(name));
+        record(
+            &mut encoder.begin_compute_pass(&wgpu::ComputePassDescriptor { label: Some(name), timestamp_writes }),
+        );
+        if let Some(meter) = by_host {
+            let start = Instant::now();
+            self.finish(mem::replace(encoder, self.encoder()))?;
+            meter.inner().add(name.to_owned(), start.elapsed());
+        }
+        Ok(())
     }
 
-    /// Times each pass from now on, or no more, and forgets what was timed; whether the adapter has a clock for it.
+    /// Times each pass from now on, or no more, and forgets what was timed; whether there is a clock for it.
     pub fn measure(&self, on: bool) -> bool {
         if let Some(meter) = &self.meter {
             let mut inner = meter.inner();
