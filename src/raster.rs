@@ -141,6 +141,11 @@ pub trait Raster {
 
 /// What an eye needs beside: the methods of the stages that follow.
 pub trait Look: Raster {
+    /// Whether [`mark`](Self::mark) has anything to do: not where depths and ids are written as one.
+    fn marks(&self) -> bool {
+        true
+    }
+
     /// small faces and the final depths -> the least id where the depth is theirs
     ///
     /// # Errors

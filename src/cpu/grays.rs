@@ -36,5 +36,6 @@ pub fn grays(scene: &Scene, drawing: &mut Drawing) {
     let times = f64::from(1.0 - FARTHEST) / (most - least).max(FLAT * most);
     let middle = f64::from(1.0 + FARTHEST) / 2.0;
     drawing.canvas.depth_times = times as f32;
+    (drawing.canvas.depth_least, drawing.canvas.depth_most) = (FARTHEST, 1.0);
     drawing.canvas.depth_plus = (middle - times * (most + least) / 2.0) as f32;
 }

@@ -141,7 +141,7 @@ fn bounds(sheet: &Sheet) -> Option<Bounds> {
         sheet.vertices.iter().fold((first, first), |(low, high), v| (low.min(v.position), high.max(v.position)));
     let center = (low + high) * 0.5;
     let radius = sheet.vertices.iter().map(|v| v.position.distance(center)).fold(0.0, f32::max);
-    Some(Bounds { center, radius: radius.max(1e-6) * 1.001 })
+    Some(Bounds { center, radius: radius.max(1e-6 * center.length()).max(1e-18) * 1.001 })
 }
 
 /// Around the things that are small beside the rest, if there are such.
@@ -218,8 +218,9 @@ fn canvas(scene: &Scene) -> Canvas {
         },
         depth_times: 1.0,
         depth_plus: 0.0,
-        pad_a: 0,
-        pad_b: [0; 2],
+        depth_least: 0.0,
+        depth_most: f32::MAX,
+        pad: 0,
     }
 }
 

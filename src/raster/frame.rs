@@ -42,7 +42,7 @@ fn layer<R: Raster>(
     asked: Asked<'_>,
 ) -> Result<ControlFlow<()>, R::Error> {
     loop {
-        // No cut-out face is small, so that none of them is hidden as a whole.
+        // No cut-out face is drawn before it is in a tile, so that none of them is hidden as a whole.
         let whole = iter::once(0..stages.faces());
         let portions = if lace { whole.collect() } else { stages.portions(lens) };
         for faces in portions {
@@ -75,7 +75,7 @@ fn layer<R: Raster>(
 /// # Errors
 /// The backend's.
 pub fn marked<R: Look>(stages: &mut R, eye: &Lens, image: &mut R::Image) -> Result<(), R::Error> {
-    if stages.portions(eye).len() > 1 {
+    if stages.marks() && stages.portions(eye).len() > 1 {
         stages.far(eye, image)?;
         stages.veil(eye)?;
     }

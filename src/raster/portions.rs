@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{Vec2, Vec3};
 
-use crate::tables::{Drawing, Face, Lens, REGION};
+use crate::tables::{CUT_OUT, Drawing, Face, Lens, REGION};
 
 /// Faces that are looked at.
 const SAMPLED: usize = 1024;
@@ -20,8 +20,10 @@ pub struct Portions {
     /// So many portions, whatever is reckoned; at most one a face.
     pub fixed: Option<u32>,
     faces: u32,
-    /// Some of them, in world space.
+    /// Some of those that may hide others, in world space.
     sample: Vec<[Vec3; 3]>,
+    /// For how many faces each of them stands.
+    each: f32,
 }
 
 impl Portions {
@@ -29,8 +31,9 @@ impl Portions {
         let faces = &drawing.faces;
         let count = faces.len().min(SAMPLED);
         let corners = |face: &Face| [face.a, face.b, face.c].map(|i| drawing.vertices[i as usize].position);
-        let sample = (0..count).map(|k| corners(&faces[k * faces.len() / count])).collect();
-        Self { fixed: None, faces: faces.len() as u32, sample }
+        let looked_at = (0..count).map(|k| &faces[k * faces.len() / count]);
+        let sample = looked_at.filter(|face| face.paint & CUT_OUT == 0).map(corners).collect();
+        Self { fixed: None, faces: faces.len() as u32, sample, each: faces.len() as f32 / count.max(1) as f32 }
     }
 
     pub(crate) fn faces(&self) -> u32 {
@@ -48,7 +51,7 @@ impl Portions {
     /// How often the small faces cover the film, about.
     fn layers(&self, lens: &Lens) -> f32 {
         let pixels: f32 = self.sample.iter().map(|corners| pixels(lens, *corners)).sum();
-        pixels * (self.faces as f32 / self.sample.len().max(1) as f32) / lens.pixels().max(1) as f32
+        pixels * self.each / lens.pixels().max(1) as f32
     }
 }
 

@@ -104,12 +104,14 @@ pub struct Canvas {
     pub show: u32,
     /// Where depths are shown, what is shown is this over the distance along the axis of the eye,
     pub depth_times: f32,
-    /// and this added.
+    /// and this added,
     pub depth_plus: f32,
+    /// and no less than this, and no more than that.
+    pub depth_least: f32,
+    /// See [`Canvas::depth_least`].
+    pub depth_most: f32,
     /// Nothing.
-    pub pad_a: u32,
-    /// Nothing.
-    pub pad_b: [u32; 2],
+    pub pad: u32,
 }
 
 /// The bit of [`Map::levels`] that says that a picture does not repeat.

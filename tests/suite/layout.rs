@@ -166,8 +166,9 @@ fn structs_are_the_same() {
                 show,
                 depth_times,
                 depth_plus,
-                pad_a,
-                pad_b
+                depth_least,
+                depth_most,
+                pad
             }
         ),
         mirror!(module, Print { width, height, across, down, pitch, transfer, pad }),

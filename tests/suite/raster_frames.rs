@@ -115,6 +115,7 @@ fn depths_are_told_apart_by_their_grays() {
         seen.sort_by(|a, b| a.0.total_cmp(&b.0));
         let falls = |pair: &[(f32, f32)]| pair[0].1 >= pair[1].1 - 1e-5;
         assert!(seen.windows(2).all(falls), "{name}: something is darker than what is farther");
+        assert!(seen.iter().all(|(_, gray)| (0.0999..=1.0).contains(gray)), "{name}: a gray that is none");
         let [nearest, farthest] = [seen[seen.len() / 50].1, seen[seen.len() * 49 / 50].1];
         assert!((nearest - 1.0).abs() < 0.1 && (farthest - 0.1).abs() < 0.1, "{name}: {nearest} to {farthest}");
         let part = work().crop(13..40, 7..30).expect("it lies within");
@@ -202,7 +203,8 @@ fn planted_faults_in_shading_are_seen() {
         ("raster/shadow", "row + j", "row"),
         ("raster/shadow", "way.y < 0.0", "way.y > 0.0"),
         ("shade/look", "select(1.0, -1.0, turn < 0.0)", "1.0"),
-        ("shade/look", "map.xy * paint.bump", "map.xy"),
+        ("shade/look", "vec2f(paint.bump), v", "vec2f(1.0), v"),
+        ("shade/look", "scale < vec2f(0.0)", "scale < vec2f(-9.0)"),
         ("shade/look", "paint.specular_map, u", "paint.diffuse_map, u"),
         ("raster/shade", "n = -n", "n = n"),
     ];

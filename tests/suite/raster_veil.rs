@@ -5,12 +5,12 @@ use std::sync::atomic::Ordering::Relaxed;
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::raster::behind::unveiled;
 use twinlight::cpu::raster::speck::{Speck, speck};
-use twinlight::gpu::GpuRaster;
 use twinlight::gpu::wgsl::Sources;
+use twinlight::gpu::{GpuRaster, Room};
 use twinlight::math::Vec3;
 use twinlight::prepare::lens::{Pose, perspective};
-use twinlight::raster::{Raster, draw, marked};
-use twinlight::tables::{CELL, Drawing, Face, Vertex};
+use twinlight::raster::{Look, Raster, draw, marked};
+use twinlight::tables::{CELL, Drawing, Face, Lens, Vertex};
 
 use super::raster_exact::{drawn_by, random_drawing, variants};
 use super::{Dice, gpu};
@@ -65,11 +65,17 @@ type Found = ([Vec<u32>; 2], Vec<[u32; 4]>);
 
 fn on_gpu(kernels: &GpuRaster<'_>, drawing: &Drawing, count: u32) -> Found {
     let lens = &drawing.eyes[0];
-    let mut stages = kernels.again(drawing, twinlight::gpu::Room::default()).expect("room");
+    // In many parts, or in one.
+    let room = if count == 2 { Room { binding: 4096, ..Room::default() } } else { Room::default() };
+    let mut stages = kernels.again(drawing, room).expect("room");
     stages.portions.fixed = Some(count);
     let mut image = stages.image(lens.pixels() as usize, true).expect("an image");
     draw(&mut stages, lens, &mut image).expect("a drawing");
     marked(&mut stages, lens, &mut image).expect("ids");
+    if !stages.marks() {
+        stages.far(lens, &image).expect("far");
+        stages.veil(lens).expect("veil");
+    }
     let (depths, ids) = stages.seen(&image).expect("what is seen");
     ([depths, ids], stages.hiding(lens).expect("the veil"))
 }
@@ -112,12 +118,14 @@ fn what_hides_is_the_farthest() {
     let mut full = 0;
     for number in 0..40 {
         let drawing = sheets(number);
-        let lens = &drawing.eyes[0];
-        let mut cpu = CpuRaster::new(&drawing);
-        let mut stages = kernels.again(&drawing, twinlight::gpu::Room::default()).expect("room");
         let ids = number % 2 == 0;
-        let Ok(mut image) = cpu.image(lens.pixels() as usize, ids);
-        let mut on_device = stages.image(lens.pixels() as usize, ids).expect("an image");
+        // Maps of shadows lie in one image, one after the other.
+        let lens = &Lens { first: if ids { 0 } else { 77 }, ..drawing.eyes[0] };
+        let words = (lens.first + lens.pixels()) as usize;
+        let mut cpu = CpuRaster::new(&drawing);
+        let mut stages = kernels.again(&drawing, Room::default()).expect("room");
+        let Ok(mut image) = cpu.image(words, ids);
+        let mut on_device = stages.image(words, ids).expect("an image");
         let Ok(()) = draw(&mut cpu, lens, &mut image);
         draw(&mut stages, lens, &mut on_device).expect("a drawing");
         let Ok(()) = cpu.far(lens, &image);
@@ -137,7 +145,8 @@ fn what_hides_is_the_farthest() {
                 let ends = [x, y].map(|at| at + side * CELL);
                 let rows =
                     (y..ends[1].min(lens.height)).flat_map(|y| (x..ends[0].min(lens.width)).map(move |x| [x, y]));
-                let pixels = rows.map(|[x, y]| image.nears[(y * lens.width + x) as usize].load(Relaxed));
+                let pixels =
+                    rows.map(|[x, y]| image.nears[(lens.first + y * lens.width + x) as usize].load(Relaxed));
                 assert_eq!(Some(*farthest), pixels.min(), "drawing {number}, cell {cell}, {side} cells");
                 full += u32::from(*farthest > 0);
             }
@@ -214,6 +223,33 @@ fn portions_are_as_many_as_layers_ask_for() {
     let mut odd = layers(4, 2.0);
     odd.vertices.iter_mut().step_by(3).for_each(|v| v.position = Vec3::new(f32::NAN, f32::INFINITY, -1.0));
     assert!(count(&odd, size) <= 2, "what is no number hides nothing");
+}
+
+/// What a stage takes is not told as another's, whatever runs after it.
+#[test]
+fn the_clock_tells_the_same_in_portions() {
+    let gpu = gpu();
+    let mut drawing = sheets(3);
+    while drawing.vertices.len() < 400_000 {
+        drawing.vertices.extend_from_within(..);
+    }
+    let project = |portions| {
+        let mut stages = GpuRaster::new(&gpu, &Sources::default(), &drawing).expect("kernels");
+        stages.portions.fixed = Some(portions);
+        let lens = &drawing.eyes[0];
+        let mut image = stages.image(lens.pixels() as usize, true).expect("an image");
+        // The first time, lavapipe compiles.
+        let times = [(); 4].map(|()| {
+            assert!(gpu.measure(true), "lavapipe has a clock");
+            draw(&mut stages, lens, &mut image).expect("a drawing");
+            stages.seen(&image).expect("what is seen");
+            gpu.times().iter().find(|time| time.name == "raster/project").expect("it ran").took
+        });
+        gpu.measure(false);
+        times.into_iter().min().expect("four times")
+    };
+    let [one, many] = [project(1), project(3)];
+    assert!(one < many * 5 && many < one * 5, "{one:?} in one portion, {many:?} in three");
 }
 
 #[test]

@@ -107,7 +107,10 @@ fn color_at(pixel: u32, id: u32) -> vec3f {
         }
     }
     switch (SHOW) {
-        case SHOW_DEPTH: { return vec3f(canvas.depth_times / sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x + canvas.depth_plus); }
+        case SHOW_DEPTH: {
+            let gray = canvas.depth_times / sum_by(w, vec3f(ca.w), vec3f(cb.w), vec3f(cc.w)).x + canvas.depth_plus;
+            return vec3f(min(max(gray, canvas.depth_least), canvas.depth_most));
+        }
         case SHOW_SHADOW: { return vec3f(open); }
         case SHOW_NORMAL: { return n * 0.5 + 0.5; }
         case SHOW_UV: { return vec3f(within(uv.x, false), within(uv.y, false), 0.0); }

@@ -61,10 +61,12 @@ struct Canvas {
     show: u32,
     // Where depths are shown, what is shown is this over the distance along the axis of the eye,
     depth_times: f32,
-    // and this added.
+    // and this added,
     depth_plus: f32,
-    pad_a: u32,
-    pad_b: vec2u,
+    // and no less than this, and no more than that.
+    depth_least: f32,
+    depth_most: f32,
+    pad: u32,
 }
 
 const CLAMPED: u32 = 0x80000000u;

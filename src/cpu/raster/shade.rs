@@ -99,7 +99,8 @@ fn color_at(
     match canvas.show {
         SHOW_DEPTH => {
             let away = (clip[0].w * w.x + clip[1].w * w.y) + clip[2].w * w.z;
-            Vec3::splat(canvas.depth_times / away + canvas.depth_plus)
+            let gray = canvas.depth_times / away + canvas.depth_plus;
+            Vec3::splat(gray.max(canvas.depth_least).min(canvas.depth_most))
         }
         SHOW_SHADOW => Vec3::splat(open),
         SHOW_NORMAL => n * 0.5 + 0.5,

@@ -18,7 +18,8 @@ pub fn split(
     if (face.paint & CUT_OUT != 0) != lace {
         return false;
     }
-    match unveiled(lens, speck(lens, face, corners), veil) {
+    let speck = speck(lens, face, corners);
+    match if lace { speck } else { unveiled(lens, speck, veil) } {
         Speck::Nothing => false,
         Speck::Late | Speck::Torn => true,
         Speck::Small { .. } if lace => true,

@@ -6,8 +6,12 @@ use crate::raster::{Drawn, Look};
 use crate::tables::{GROUP, Lens};
 
 impl Look for GpuRaster<'_> {
+    fn marks(&self) -> bool {
+        !self.kernels.variant.wide
+    }
+
     fn mark(&mut self, _lens: &Lens, image: &mut GpuImage) -> Result<(), Error> {
-        if self.kernels.variant.wide {
+        if !self.marks() {
             return Ok(());
         }
         self.record(|this, encoder| {

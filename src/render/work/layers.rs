@@ -88,6 +88,7 @@ impl Work {
             _ => SHOW_DEPTH,
         };
         (drawing.canvas.depth_times, drawing.canvas.depth_plus) = (1.0, 0.0);
+        (drawing.canvas.depth_least, drawing.canvas.depth_most) = (0.0, f32::MAX);
         if pass != Pass::Shadow {
             // No light is asked, so none needs its shadows.
             (drawing.lenses, drawing.lamps) = (Vec::new(), Vec::new());
