@@ -8,6 +8,14 @@ pub fn unit(v: Vec3) -> Vec3 {
     v / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt()
 }
 
+/// [`unit()`] of what may be so long, or so short, that its square is more or less than an `f32` holds.
+#[must_use]
+pub fn unit_of_any(v: Vec3) -> Vec3 {
+    let most = largest(v.abs());
+    let shrunk = if most > 1.1529215e18 { v * 8.67361738e-19 } else { v };
+    unit(if most < 8.67361738e-19 { shrunk * 1.1529215e18 } else { shrunk })
+}
+
 /// Eq. 2.6: the mirror of `i`, which points away from the surface, about the unit normal `n`.
 #[must_use]
 pub fn mirror(i: Vec3, n: Vec3) -> Vec3 {

@@ -81,7 +81,9 @@ fn around(model: Arc<Model>) -> Scene {
     let seen = model.triangles.iter().flat_map(|t| t.corners).map(|c| model.positions[c.position as usize]);
     let (low, high) = seen.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
     let center = (low + high) * 0.5;
-    let radius = ((high - low).length() * 0.5).max(1e-6);
+    // Of a model that is but a point, whatever f32 tells apart there.
+    let least = (center.length() * 1e-6).max(1e-18);
+    let radius = ((high - low).length() * 0.5).max(least);
     let fov = 35.0_f32.to_radians();
     let away = radius / (fov / 2.0).sin();
     let direction = |x: f32, y: f32, z: f32| Vec3::new(x, y, z).normalize();

@@ -118,7 +118,7 @@ pub struct Material {
     pub opacity: f32,
     /// `Ni`: vacuum is 1, glass about 1.5.
     pub refraction_index: f32,
-    /// `illum`, the illumination model's number, where the file names one.
+    /// `illum`, the illumination model's number, where the file names one. 0 and 1 are without highlights: `Ks` is 0.
     pub illumination: Option<u32>,
     /// `map_Kd`.
     pub diffuse_map: Option<Map>,
@@ -152,6 +152,11 @@ impl Material {
             opacity_map: None,
             normal_map: None,
         }
+    }
+
+    fn has_pictures(&self) -> bool {
+        let Self { diffuse_map, specular_map, exponent_map, opacity_map, normal_map, .. } = self;
+        [diffuse_map, specular_map, exponent_map, opacity_map, normal_map].into_iter().any(Option::is_some)
     }
 }
 
@@ -254,8 +259,26 @@ pub fn read_model(path: &Path, folder: &Confined, limits: &Limits) -> Result<Mod
             }
         });
     }
+    for (number, flat) in without_places(&mesh, &materials) {
+        let (material, line) = &mesh.materials[number];
+        let material = lines::quote(material.as_bytes());
+        let text =
+            format!("{flat} triangles of material {material}, which has pictures, have no `vt`: each is one color");
+        warnings.add(&name, *line, text);
+    }
     let textures = pictures.into_textures();
     Ok(model(mesh, materials, textures, warnings))
+}
+
+/// Which of the materials have pictures, and on how many triangles these have no place.
+fn without_places(mesh: &obj::Mesh, materials: &[Material]) -> Vec<(usize, usize)> {
+    let mut counts = vec![0; materials.len()];
+    let bare = |t: &&Triangle| t.corners.iter().any(|corner| corner.uv == NONE);
+    for triangle in mesh.triangles.iter().filter(bare) {
+        counts[triangle.material as usize] += 1;
+    }
+    let counts = counts.into_iter().enumerate();
+    counts.filter(|&(i, count)| count > 0 && materials[i].has_pictures()).collect()
 }
 
 /// Reads an OBJ text that has no folder around it; `file` is its name in messages. Nothing else is read:

@@ -73,7 +73,7 @@ fn escapes() {
         "....//outside.mtl",
     ];
     for name in names {
-        let obj = format!("mtllib {name}\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        let obj = format!("mtllib {name}\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
         scratch.file("in/m.obj", obj);
         let start = Instant::now();
         let folder = Confined::new(&scratch.0.join("in")).unwrap();
@@ -86,7 +86,7 @@ fn escapes() {
     scratch
         .file("outside.png", png(1, 1, |_, _| [1, 2, 3, 255]))
         .file("in/m.mtl", "newmtl a\nmap_Kd ../outside.png\n");
-    scratch.file("in/m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    scratch.file("in/m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     let folder = Confined::new(&scratch.0.join("in")).unwrap();
     let model = read_model(Path::new("m.obj"), &folder, &Limits::default()).unwrap();
     assert_eq!(
@@ -119,15 +119,19 @@ fn allowed() {
     let scratch = scene();
     let with = scratch.0.join("in");
     for name in ["sub/inside.mtl", "sub\\inside.mtl", "./sub/../sub/inside.mtl", "good.mtl"] {
-        scratch.file("in/m.obj", format!("mtllib {name}\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+        scratch.file(
+            "in/m.obj",
+            format!("mtllib {name}\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n"),
+        );
         let model = read_model(Path::new("m.obj"), &Confined::new(&with).unwrap(), &Limits::default()).unwrap();
         assert_eq!((model.materials[1].diffuse, model.warnings.len()), (glam::Vec3::X, 0), "{name}");
     }
     // Up is fine inside the root; a search path adds a second root.
-    scratch.file("in/sub/m.obj", "mtllib ../good.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    scratch
+        .file("in/sub/m.obj", "mtllib ../good.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     let model = read_model(Path::new("sub/m.obj"), &Confined::new(&with).unwrap(), &Limits::default()).unwrap();
     assert_eq!(model.warnings.len(), 0);
-    scratch.file("in/m.obj", "mtllib x.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    scratch.file("in/m.obj", "mtllib x.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     let both = Confined::new(&with).unwrap().and(&scratch.0.join("outside2")).unwrap();
     assert_eq!(read_model(Path::new("m.obj"), &both, &Limits::default()).unwrap().warnings.len(), 0);
     let (folder, name) = Confined::around(&with.join("m.obj")).unwrap();

@@ -144,6 +144,36 @@ fn normals_of_the_file() {
     );
 }
 
+/// A model of which no good picture can be made is told of, and read.
+#[test]
+fn sizes() {
+    for (size, told) in [("1e-13", true), ("1e-12", false), ("1", false), ("1e12", false), ("1e13", true)] {
+        let model = read(format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nf 1 2 3\n")).unwrap();
+        let said =
+            format!("m.obj: a model {size} across is drawn with errors that show; scale it to 1e-12 to 1e12");
+        assert_eq!(warnings(&model), vec![said; usize::from(told)], "{size}");
+    }
+}
+
+/// Triangles that go the other way round than all of their normals say are turned, and no others.
+#[test]
+fn triangles_against_their_normals() {
+    let read = |normals: &str, face: &str| read(format!("{SQUARE}{normals}{face}")).unwrap();
+    let up = "vn 0 0 1\nvn 0 0.5 1\nvn 0 0.5 -1\n";
+    let model = read(up, "f 1//1 3//2 2//1\nf 1//1 2//1 3//1\nf 1//1 4//1 3//1\n");
+    assert_eq!(positions(&model), [[0, 1, 2], [0, 1, 2], [0, 2, 3]]);
+    assert_eq!(model.triangles[0].corners.map(|corner| corner.normal), [0, 0, 1]);
+    let said = "m.obj: 2 triangles go the other way round than their normals say, and are turned over";
+    assert_eq!(warnings(&model), [said]);
+    for face in ["f 1//1 3//1 2//3\n", "f 1//1 3//1 2\n", "f 1 3 2\n"] {
+        let model = read(up, face);
+        assert_eq!((positions(&model), warnings(&model).len()), (vec![[0, 2, 1]], 0), "{face}");
+    }
+    // A little beyond a right angle, as on a sliver.
+    assert_eq!(warnings(&read("vn 0 1 0.15\n", "f 1//1 3//1 2//1\n")).len(), 0);
+    assert_eq!(warnings(&read("vn 0 1 0.25\n", "f 1//1 3//1 2//1\n")), [said.replace("2 tri", "1 tri")]);
+}
+
 /// What is passed over is told, once, with the first line and the count.
 #[test]
 fn passed_over() {

@@ -6,7 +6,7 @@ use twinlight::scene::model::{Material, Model};
 use crate::pictures::png;
 use crate::scratch::{Scratch, check_promises, warnings};
 
-const OBJ: &str = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const OBJ: &str = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
 
 /// The model with this MTL text; `p.png` is red, `my pic.png` too.
 fn model(mtl: impl AsRef<[u8]>) -> Model {
@@ -41,11 +41,56 @@ fn numbers() {
     assert_eq!((all.specular, all.emission), (Vec3::splat(0.5), Vec3::splat(2.0)));
     assert_eq!((all.exponent, all.refraction_index, all.opacity, all.illumination), (96.1, 1.5, 0.5, Some(2)));
     assert_eq!(material("").0, Material::named("a"));
+    let more = "m.mtl:2: `Kd` is more than 1, where 1 gives back all light: 255 is to be written as 1";
+    assert_eq!((material("Kd 255 128 0").1, material("Kd 1 1 1").1.len()), (vec![more.to_owned()], 0));
     assert_eq!(material("Tr 0.25").0.opacity, 0.75);
     assert_eq!(material("d 1\nTr 1").0.opacity, 1.0);
     assert_eq!(material("d -halo 0.5").0.opacity, 0.5);
     assert_eq!(material("KD 1 0 0\nkd 0 1 0\n").0.diffuse, Vec3::Y);
     assert_eq!(material("illum 999").0.illumination, Some(999));
+}
+
+/// 0 and 1 are without highlights, whatever stands beside them.
+#[test]
+fn illumination() {
+    for (lines, specular, said) in [
+        ("Ks 1 1 1\nillum 2\n", 1.0, &[][..]),
+        ("Ks 0 0 0\nillum 1\n", 0.0, &[]),
+        ("illum 1\nmap_Ks p.png\n", 0.0, &[]),
+        (
+            "illum 1\nKs 1 1 1\n",
+            0.0,
+            &["m.mtl:1: `illum 1` of material `a` is without highlights: its `Ks` is not used"],
+        ),
+        (
+            "illum 0\n",
+            0.0,
+            &["m.mtl:1: material `a` is to be in its plain color (`illum 0`), and is lit like others"],
+        ),
+    ] {
+        let (material, warnings) = material(lines);
+        assert_eq!(material.specular, Vec3::splat(specular), "{lines}");
+        assert_eq!(warnings, said, "{lines}");
+    }
+}
+
+/// Pictures on faces that say no place in them.
+#[test]
+fn pictures_without_a_place() {
+    let read = |face: &str, mtl: &str| {
+        let obj = format!("{OBJ}usemtl b\n{face}");
+        let red = png(2, 2, |_, _| [255, 0, 0, 255]);
+        let mtl = format!("newmtl a\nnewmtl b\n{mtl}");
+        let model = Scratch::new().file("m.obj", obj).file("m.mtl", mtl).file("p.png", &red).read("m.obj").unwrap();
+        warnings(&model)
+    };
+    let said = "m.obj:8: 2 triangles of material `b`, which has pictures, have no `vt`: each is one color";
+    for map in ["map_Kd", "map_Ks", "map_Ns", "map_d", "norm"] {
+        let mtl = format!("{map} p.png\n");
+        assert_eq!(read("f 1 2 3\nf 1/1 2/1 3/1\nf 1 3 2\n", &mtl), [said], "{map}");
+        assert_eq!(read("f 1/1 2/1 3/1\n", &mtl), [""; 0], "{map}");
+    }
+    assert_eq!(read("f 1 2 3\n", "Kd 1 0 0\n"), [""; 0]);
 }
 
 #[test]

@@ -122,7 +122,10 @@ fn crc32(bytes: &[u8]) -> u32 {
 fn model(mtl: &str, files: &[(&str, Vec<u8>)]) -> Model {
     let scratch = Scratch::new();
     scratch
-        .file("m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 3 2\n")
+        .file(
+            "m.obj",
+            "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\nusemtl b\nf 1/1 3/1 2/1\n",
+        )
         .file("m.mtl", mtl);
     for (name, bytes) in files {
         scratch.file(name, bytes);
@@ -167,7 +170,7 @@ fn what_says_how_opaque_a_picture_is() {
 fn other_machines_paths() {
     let red = png(2, 2, |_, _| [255, 0, 0, 255]);
     let scratch = Scratch::new();
-    scratch.file("m.obj", "mtllib x/m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    scratch.file("m.obj", "mtllib x/m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
     scratch
         .file("x/m.mtl", "newmtl a\nmap_Kd C:\\tex\\P.png\nmap_Ks /home/me/q.png\n")
         .file("x/p.png", &red)
@@ -184,7 +187,7 @@ fn other_machines_paths() {
 fn pictures_beside_the_scene() {
     let scratch = Scratch::new();
     scratch
-        .file("a/m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        .file("a/m.obj", "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
         .file("a/m.mtl", "newmtl a\nmap_Kd p.png\nmap_Ks ../../else/t/q.png\n")
         .file("p.png", png(2, 2, |_, _| [255, 0, 0, 255]))
         .file("q.png", png(2, 2, |_, _| [0, 255, 0, 255]));

@@ -91,7 +91,9 @@ fn look_of(paint: Paint, uv: vec2f, right: vec2f, down: vec2f) -> Look {
     #repeat bumps
     if (paint.normal_map.first != NONE) {
         let map = color_of_sample(bump, false) * 2.0 - 1.0;
-        look.tangent = vec3f(map.xy * paint.bump, map.z);
+        // A picture that is turned over slopes the other way, too.
+        let way = select(vec2f(paint.bump), vec2f(-paint.bump), paint.normal_map.scale < vec2f(0.0));
+        look.tangent = vec3f(map.xy * way, map.z);
     }
     #end
     return look;

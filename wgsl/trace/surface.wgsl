@@ -43,7 +43,7 @@ fn surface_at(ray: Ray, t: f32, hit: u32) -> Surface {
         normal = leaf.b;
         point = along - normal * dot(normal, along - leaf.a);
     } else {
-        normal = unit(cross(leaf.b - leaf.a, leaf.c - leaf.a));
+        normal = unit_of_any(cross(leaf.b - leaf.a, leaf.c - leaf.a));
         point = along - normal * dot(normal, along - leaf.a);
         // 16 units in the last place of the largest coordinate.
         let size = max(abs(leaf.a), max(abs(leaf.b), abs(leaf.c)));

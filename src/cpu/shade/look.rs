@@ -75,7 +75,13 @@ pub fn look_of(texels: &[u32], filtering: u32, paint: &Paint, uvs: [Vec2; 3], wi
     }
     if paint.normal_map.first != NONE {
         let map = read(Picture::Normal, &paint.normal_map, false) * 2.0 - 1.0;
-        look.tangent = Vec3::new(map.x * paint.bump, map.y * paint.bump, map.z);
+        // A picture that is turned over slopes the other way, too.
+        let way = Vec2::select(
+            paint.normal_map.scale.cmplt(Vec2::ZERO),
+            Vec2::splat(-paint.bump),
+            Vec2::splat(paint.bump),
+        );
+        look.tangent = Vec3::new(map.x * way.x, map.y * way.y, map.z);
     }
     look
 }

@@ -6,7 +6,7 @@ use crate::cpu::trace::aim::Ray;
 use crate::cpu::trace::detail::detail_at;
 use crate::cpu::trace::instanced::primitive_at;
 use crate::cpu::witness::Witness;
-use crate::math::vector::unit;
+use crate::math::vector::{unit, unit_of_any};
 use crate::tables::{Material, PLANE, SPHERE, Tables};
 
 /// Where a ray has met a primitive.
@@ -50,7 +50,7 @@ pub fn surface_at(tables: &Tables, ray: Ray, t: f32, hit: u32, witness: &mut imp
         }
         PLANE => (along - leaf.b * leaf.b.dot(along - leaf.a), leaf.b, 0.0),
         _ => {
-            let normal = unit((leaf.b - leaf.a).cross(leaf.c - leaf.a));
+            let normal = unit_of_any((leaf.b - leaf.a).cross(leaf.c - leaf.a));
             // 16 units in the last place of the largest coordinate.
             let size = leaf.a.abs().max(leaf.b.abs().max(leaf.c.abs()));
             let margin = size.x.max(size.y.max(size.z)) * 9.536743e-7;

@@ -84,12 +84,19 @@ impl Written {
         let (first, rest) = (words.clone().next(), words.rest());
         match keyword {
             b"ka" | b"kd" | b"ks" | b"ke" => match color(words) {
-                Ok(color) => match keyword {
-                    b"ka" => self.material.ambient = color,
-                    b"ke" => self.material.emission = color,
-                    b"kd" => (self.material.diffuse, self.diffuse_said) = (color, true),
-                    _ => (self.material.specular, self.specular_said) = (color, true),
-                },
+                Ok(color) => {
+                    if color.max_element() > 1.0 && keyword != b"ke" {
+                        say(format!(
+                            "{name} is more than 1, where 1 gives back all light: 255 is to be written as 1"
+                        ));
+                    }
+                    match keyword {
+                        b"ka" => self.material.ambient = color,
+                        b"ke" => self.material.emission = color,
+                        b"kd" => (self.material.diffuse, self.diffuse_said) = (color, true),
+                        _ => (self.material.specular, self.specular_said) = (color, true),
+                    }
+                }
                 Err(why) => say(format!("{name}: {why}; the color is not changed")),
             },
             b"ns" | b"ni" | b"d" | b"tr" | b"illum" => {
@@ -148,6 +155,19 @@ impl Written {
             self.material.specular = Vec3::ONE;
         }
         let name = quote(self.material.name.as_bytes());
+        if let Some(model @ 0..=1) = self.material.illumination {
+            if self.material.specular != Vec3::ZERO && self.specular_said {
+                let text =
+                    format!("`illum {model}` of material {name} is without highlights: its `Ks` is not used");
+                warnings.add(&self.file, self.line, text);
+            }
+            self.material.specular = Vec3::ZERO;
+            if model == 0 {
+                let text =
+                    format!("material {name} is to be in its plain color (`illum 0`), and is lit like others");
+                warnings.add(&self.file, self.line, text);
+            }
+        }
         // Silence would pass for light.
         if self.material.emission != Vec3::ZERO {
             let text = format!("material {name} shines by itself (`Ke`), and is drawn as if it did not");

@@ -9,11 +9,15 @@ use glam::{DVec3, Vec3};
 
 use super::budget::{Budget, Spent};
 use super::obj::{Mesh, Smoothing};
-use super::{Error, NONE, Warnings};
+use super::{Corner, Error, NONE, Triangle, Warnings};
 
 /// Cosine of the largest angle that is smoothed over where the file does not say: a little more than
 /// 60 degrees, so that a hexagonal column is safely on one side of it.
 const CREASE: f64 = 0.48;
+
+/// Cosine between a triangle's own normal and those at its corners from which on these are believed: on a sliver the
+/// neighbors' may stand across it, or a little beyond.
+const CONTRARY: f64 = -0.2;
 
 /// A position with more corners than this has one normal for all but its `s off` ones: comparing each
 /// corner with each takes the square of them, and a hostile file has a million around one position.
@@ -40,6 +44,11 @@ pub(super) fn complete(
     let unusable = normalize(mesh);
     if unusable > 0 {
         let text = format!("{unusable} corners have a normal that is zero or not finite, and get a computed one");
+        warnings.add(file, 0, text);
+    }
+    let turned = turn(mesh);
+    if turned > 0 {
+        let text = format!("{turned} triangles go the other way round than their normals say, and are turned over");
         warnings.add(file, 0, text);
     }
     let missing = mesh.triangles.iter().flat_map(|triangle| triangle.corners).any(|corner| corner.normal == NONE);
@@ -73,6 +82,21 @@ fn normalize(mesh: &mut Mesh) -> u64 {
         *normal = Vec3::Y;
     }
     lost
+}
+
+/// Makes triangles go counterclockwise seen from where all three of their normals point to. Returns how many did not.
+fn turn(mesh: &mut Mesh) -> u64 {
+    let Mesh { positions, normals, triangles, .. } = mesh;
+    let is_contrary = |triangle: &Triangle| {
+        let [a, b, c] = triangle.corners.map(|corner| positions.get(corner.position as usize));
+        let (Some(a), Some(b), Some(c)) = (a, b, c) else { return false };
+        let [a, b, c] = [a, b, c].map(|p| p.as_dvec3());
+        let face = (b - a).cross(c - a).normalize_or_zero();
+        let normal = |corner: Corner| normals.get(corner.normal as usize).map(|n| n.as_dvec3());
+        triangle.corners.iter().all(|&corner| normal(corner).is_some_and(|n| n.dot(face) < CONTRARY))
+    };
+    let contrary = triangles.iter_mut().filter(|triangle| is_contrary(triangle));
+    contrary.map(|triangle| triangle.corners.swap(1, 2)).count() as u64
 }
 
 fn fill_in(mesh: &mut Mesh, budget: &mut Budget) -> Result<(), Spent> {
