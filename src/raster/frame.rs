@@ -47,6 +47,9 @@ fn layer<R: Raster>(
         let portions = if lace { whole.collect() } else { stages.portions(lens) };
         for faces in portions {
             if faces.start > 0 {
+                if asked().is_break() {
+                    return Ok(ControlFlow::Break(()));
+                }
                 stages.far(lens, image)?;
                 stages.veil(lens)?;
             }

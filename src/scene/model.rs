@@ -19,6 +19,7 @@ mod confined;
 mod error;
 mod far;
 mod find;
+mod library;
 pub mod lines;
 mod map;
 pub mod mtl;
@@ -28,7 +29,6 @@ pub mod polygon;
 pub mod texture;
 mod warning;
 
-use std::collections::HashMap;
 use std::io::Read;
 use std::path::Path;
 use std::sync::Arc;
@@ -227,36 +227,13 @@ pub fn read_model(path: &Path, folder: &Confined, limits: &Limits) -> Result<Mod
 
     let mut finder = Finder::new(folder, &relative);
     let sheets = finder.libraries(&mesh, &name, limits, &mut warnings);
-    let mut written: HashMap<String, mtl::Written> = HashMap::new();
-    for sheet in &sheets {
-        for material in mtl::parse(&sheet.bytes, &sheet.file, limits, &mut warnings) {
-            let (name, line) = (material.material.name.clone(), material.line);
-            if written.insert(name.clone(), material).is_some() {
-                warnings.add(
-                    &sheet.file,
-                    line,
-                    format!(
-                        "material {} is defined again, and the later one is used",
-                        lines::quote(name.as_bytes())
-                    ),
-                );
-            }
-        }
-    }
+    let written = library::Library::read(&sheets, limits, &mut warnings);
     let mut pictures = texture::Pictures::new(finder, limits, &mut budget);
     let mut materials = Vec::with_capacity(mesh.materials.len());
     for (wanted, line) in &mesh.materials {
-        materials.push(match written.get(wanted) {
+        materials.push(match written.find(wanted, &name, *line, &mut warnings) {
             Some(found) => pictures.dress(found, &mut warnings),
-            None if wanted.is_empty() => Material::named(""),
-            None => {
-                let text = format!(
-                    "material {} is defined in no MTL file, and is drawn light gray",
-                    lines::quote(wanted.as_bytes())
-                );
-                warnings.add(&name, *line, text);
-                Material::named(wanted)
-            }
+            None => Material::named(wanted),
         });
     }
     for (number, flat) in without_places(&mesh, &materials) {

@@ -210,3 +210,10 @@ fn slivers_are_kept() {
     let model = read("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 1 0\nf 1 2 3\nf 1 3 4\n").unwrap();
     assert_eq!((model.triangles.len(), warnings(&model).len()), (2, 0));
 }
+
+#[test]
+fn capitals() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ng a\ns 1\nf 1/1/1 2/1/1 3/1/1\n";
+    let upper = text.to_ascii_uppercase().replace('A', "a");
+    assert_eq!(read(upper).unwrap(), read(text).unwrap());
+}

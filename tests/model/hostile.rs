@@ -39,7 +39,7 @@ fn sentences() {
         ("v 1 2 \u{1b}[31mred", "m.obj:4: found `` where".into()),
         ("", "m.obj: found 3 vertices and no triangle to draw; wanted at least one `f` line with three corners in different places".into()),
         ("f 1 1 1", "m.obj: found 3 vertices and no triangle".into()),
-        ("l 1 2 3", "m.obj: found 3 vertices and no triangle".into()),
+        ("l 1 2 3", "m.obj: found 3 vertices and no triangle to draw; m.obj:4: points and lines (`p`, `l`) are not drawn; wanted".into()),
     ];
     for (line, sentence) in cases {
         let error = read(format!("{TRIANGLE}{line}\n")).unwrap_err().to_string();

@@ -50,6 +50,46 @@ fn numbers() {
     assert_eq!(material("illum 999").0.illumination, Some(999));
 }
 
+/// `#` belongs to a name that has it, and else begins a comment.
+#[test]
+fn comments_after_names() {
+    let read = |library: &str, used: &str, defined: &str| {
+        let faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+        let model = Scratch::new()
+            .file("m.obj", format!("mtllib {library}\nusemtl {used}\n{faces}"))
+            .file("m.mtl", format!("{defined}\nKd 1 0 0\nnewmtl other # thing\n"))
+            .read("m.obj")
+            .expect("a model");
+        check_promises(&model);
+        (model.materials[1].diffuse == Vec3::X, warnings(&model))
+    };
+    let none: [&str; 0] = [];
+    assert_eq!(read("m.mtl", "Material #25", "newmtl Material #25"), (true, none.map(String::from).to_vec()));
+    assert_eq!(read("m.mtl", "a#b", "newmtl a#b").1, none);
+    for (used, defined, found, said) in [
+        ("a # red", "newmtl a", true, "`a # red` is defined in no MTL file; `a` is used"),
+        ("a", "newmtl a\t# red", true, "`a` is defined in no MTL file; `a\\t# red` is used"),
+        (
+            "Material #26",
+            "newmtl Material #25",
+            false,
+            "`Material #26` is defined in no MTL file, and is drawn light gray",
+        ),
+        ("a#b", "newmtl a", false, "`a#b` is defined in no MTL file, and is drawn light gray"),
+        ("# a", "newmtl a", false, "`# a` is defined in no MTL file, and is drawn light gray"),
+    ] {
+        assert_eq!(read("m.mtl", used, defined), (found, vec![format!("m.obj:2: material {said}")]), "{used}");
+    }
+    let (found, said) = read("m.mtl # of wood", "a", "newmtl a");
+    assert!(found && said.len() == 1 && said[0].ends_with("`m.mtl` is used"), "{said:?}");
+    for (line, picture) in [("p.png # wood", "p.png"), ("\"my pic.png\" # wood", "my pic.png")] {
+        let model = model(format!("newmtl a\nmap_Kd {line}\n"));
+        assert_eq!(model.textures[0].file, picture);
+        let said = warnings(&model);
+        assert!(said.len() == 1 && said[0].ends_with(&format!("`{picture}` is used")), "{said:?}");
+    }
+}
+
 /// 0 and 1 are without highlights, whatever stands beside them.
 #[test]
 fn illumination() {

@@ -1,16 +1,18 @@
 //! What is hidden behind what is drawn is left out, and nothing else: the picture is the same.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::Ordering::Relaxed;
 
 use twinlight::cpu::raster::CpuRaster;
 use twinlight::cpu::raster::behind::unveiled;
 use twinlight::cpu::raster::speck::{Speck, speck};
+use twinlight::film::Watch;
 use twinlight::gpu::wgsl::Sources;
 use twinlight::gpu::{GpuRaster, Room};
 use twinlight::math::Vec3;
 use twinlight::prepare::lens::{Pose, perspective};
-use twinlight::raster::{Look, Raster, draw, marked};
-use twinlight::tables::{CELL, Drawing, Face, Lens, Vertex};
+use twinlight::raster::{Look, Raster, draw, frame, marked};
+use twinlight::tables::{CELL, Drawing, Face, Lens, NONE, Vertex};
 
 use super::raster_exact::{drawn_by, random_drawing, variants};
 use super::{Dice, gpu};
@@ -223,6 +225,34 @@ fn portions_are_as_many_as_layers_ask_for() {
     let mut odd = layers(4, 2.0);
     odd.vertices.iter_mut().step_by(3).for_each(|v| v.position = Vec3::new(f32::NAN, f32::INFINITY, -1.0));
     assert!(count(&odd, size) <= 2, "what is no number hides nothing");
+}
+
+/// Goes on so many times.
+struct Times {
+    left: usize,
+    asked: usize,
+}
+
+impl Watch for Times {
+    fn done(&mut self, _fraction: f64) -> ControlFlow<()> {
+        self.asked += 1;
+        if self.asked > self.left { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+}
+
+/// A stop need not wait for a whole lens.
+#[test]
+fn portions_can_be_stopped() {
+    let drawing = sheets(0);
+    let run = |left| {
+        let mut cpu = CpuRaster::new(&drawing);
+        cpu.portions.fixed = Some(20);
+        let mut watch = Times { left, asked: 0 };
+        let Ok(film) = frame(&mut cpu, &drawing, &mut watch);
+        (watch.asked, film.ids().iter().any(|id| *id != NONE))
+    };
+    assert_eq!(run(usize::MAX), (20, true));
+    assert_eq!(run(5), (6, false));
 }
 
 /// What a stage takes is not told as another's, whatever runs after it.

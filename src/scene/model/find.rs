@@ -5,7 +5,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use super::confined::{Confined, Opened, Refusal};
-use super::lines::quote;
+use super::lines::{before_comment, quote, unquoted};
 use super::obj::Mesh;
 use super::{Limits, Warnings};
 
@@ -45,7 +45,7 @@ impl<'a> Finder<'a> {
     /// Opens what `name`, written in a file of the folder `base`, means. In this order: the name; the
     /// name from the OBJ file's folder; each in other capitals; the last part of the name, in both
     /// folders, since many files carry the paths of another machine; the name and its last part in the
-    /// scene's folder and in those that are searched beside it.
+    /// scene's folder and in those that are searched beside it; all of it for the name before a comment.
     ///
     /// # Errors
     /// Why the name itself is refused.
@@ -69,7 +69,10 @@ impl<'a> Finder<'a> {
                 }
             }
         }
-        Err(why)
+        // Nothing before a comment has one.
+        let before = before_comment(name).and_then(|before| self.find(base, before).ok()).ok_or(why.clone())?;
+        let note = Some(format!("{why}; `{}` is used", before.relative.display()));
+        Ok(Found { note, ..before })
     }
 
     /// The same path in the capitals that the disk has.
@@ -172,10 +175,6 @@ pub(in crate::scene) fn read(opened: Opened, most: u64) -> Result<Vec<u8>, Strin
     // One more than allowed, so that a file that grows meanwhile is noticed.
     opened.file.take(most.saturating_add(1)).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     if bytes.len() as u64 > most { Err(too_large()) } else { Ok(bytes) }
-}
-
-fn unquoted(name: &str) -> &str {
-    name.trim().trim_matches(['"', '\'']).trim()
 }
 
 /// `a.mtl my b.mtl` -> `a.mtl`, `my b.mtl`: a name ends with the word that ends in `.mtl`.

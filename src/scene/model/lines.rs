@@ -212,6 +212,21 @@ pub fn text(bytes: &[u8]) -> String {
     }
 }
 
+/// What stands before a `#` with a blank before it, without quotes: the name is meant, and a comment after it, if the whole
+/// (`Material #25`) is the name of nothing.
+#[must_use]
+pub fn before_comment(name: &str) -> Option<&str> {
+    let at = name.match_indices('#').map(|(at, _)| at).find(|&at| name[..at].ends_with([' ', '\t']))?;
+    let before = unquoted(&name[..at]);
+    (!before.is_empty()).then_some(before)
+}
+
+/// A name without the quotes and blanks around it.
+#[must_use]
+pub fn unquoted(name: &str) -> &str {
+    name.trim().trim_matches(['"', '\'']).trim()
+}
+
 /// Bytes for a message: in backquotes, short, nothing in it that a terminal would obey.
 #[must_use]
 pub fn quote(bytes: &[u8]) -> String {

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Content;
-use super::lines::{number, quote, text};
+use super::lines::{number, quote, text, unquoted};
 
 /// What a picture is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,7 +106,7 @@ impl Asked {
             }
         }
         let name = text(rest.get(from?..to)?.trim_ascii());
-        name.trim_matches(['"', '\'']).trim().clone_into(&mut asked.name);
+        unquoted(&name).clone_into(&mut asked.name);
         (!asked.name.is_empty()).then_some(asked)
     }
 

@@ -4,17 +4,22 @@
 //! curves are counted in a warning. Elements refer to vertices above them, as everyone writes them.
 
 mod face;
+mod names;
 
 use std::collections::HashMap;
 use std::io::Read;
+use std::iter;
 
 use glam::{Vec2, Vec3};
 
 use super::budget::{Budget, Limits, Spent};
 use super::far::told_apart;
-use super::lines::{Line, LineError, Lines, Words, number, quote, text};
+use super::lines::{Line, LineError, Lines, Words, number, quote};
 use super::polygon::Cutter;
 use super::{Corner, Error, Triangle, Warnings};
+
+/// Notes in the error of a file without a triangle.
+const MOST_NOTES: usize = 3;
 
 /// What the OBJ text alone tells.
 #[derive(Debug, Default)]
@@ -112,7 +117,13 @@ impl<'a> Parser<'a> {
 
     fn statement(&mut self, line: Line<'_>) -> Result<(), Error> {
         let mut words = Words::new(line.bytes);
-        let Some(keyword) = words.next() else { return Ok(()) };
+        match words.next() {
+            Some(keyword) => self.said(keyword, words),
+            None => Ok(()),
+        }
+    }
+
+    fn said(&mut self, keyword: &[u8], words: Words<'_>) -> Result<(), Error> {
         match keyword {
             b"v" => self.position(words),
             b"vt" => self.uv(words),
@@ -131,6 +142,8 @@ impl<'a> Parser<'a> {
                 self.pass_over("free-form curves and surfaces are not drawn")
             }
             b"call" | b"csh" => self.pass_over("other files and commands (`call`, `csh`) are never run"),
+            // Exporters do not agree about capitals.
+            b"V" | b"VT" | b"VN" | b"F" | b"O" | b"G" | b"S" => self.said(&keyword.to_ascii_lowercase(), words),
             _ => {
                 let sentence = format!("the statement {} is not known, and is passed over", quote(keyword));
                 self.pass_over(&sentence)
@@ -183,79 +196,13 @@ impl<'a> Parser<'a> {
         Ok(numbers)
     }
 
-    fn usemtl(&mut self, words: &Words<'_>) -> Result<(), Error> {
-        let name = text(words.rest());
-        if name.is_empty() {
-            self.warnings.add(self.file, self.line, "`usemtl` without a name chooses the default material");
-        }
-        let line = self.line;
-        self.material = self.numbered(
-            name,
-            |parser| &mut parser.material_numbers,
-            |mesh, name| mesh.materials.push((name, line)),
-        )?;
-        Ok(())
-    }
-
-    fn group(&mut self, words: &Words<'_>) -> Result<(), Error> {
-        self.group = self.numbered(
-            text(words.rest()),
-            |parser| &mut parser.group_numbers,
-            |mesh, name| mesh.groups.push(name),
-        )?;
-        Ok(())
-    }
-
-    /// The number of a name; a new one is counted and noted.
-    fn numbered(
-        &mut self,
-        name: String,
-        numbers: impl Fn(&mut Self) -> &mut HashMap<String, u32>,
-        note: impl Fn(&mut Mesh, String),
-    ) -> Result<u32, Error> {
-        let known = numbers(self).len() as u32;
-        if let Some(&number) = numbers(self).get(&name) {
-            return Ok(number);
-        }
-        self.room("names of groups or materials", known.into(), self.limits.names as u64)?;
-        // Twice the text, and what a map's entry takes beside it.
-        self.budget.take(2 * name.len() as u64 + 128).map_err(|Spent| self.spent())?;
-        numbers(self).insert(name.clone(), known);
-        note(&mut self.mesh, name);
-        Ok(known)
-    }
-
-    fn smooth(&mut self, mut words: Words<'_>) {
-        let word = words.next().unwrap_or(b"off");
-        let group = std::str::from_utf8(word).ok().and_then(|word| word.parse::<i64>().ok());
-        self.smoothing = match (word, group) {
-            (b"off", _) | (_, Some(0)) => Smoothing::Off,
-            (b"on", _) => Smoothing::Group(1),
-            (_, Some(group)) => Smoothing::Group(group as u32),
-            _ => {
-                let sentence = format!("the smoothing group {} is not a number, and is passed over", quote(word));
-                self.warnings.add(self.file, self.line, sentence);
-                self.smoothing
-            }
-        };
-    }
-
-    fn library(&mut self, words: &Words<'_>) -> Result<(), Error> {
-        let names = text(words.rest());
-        if names.is_empty() {
-            return self.pass_over("`mtllib` names no file");
-        }
-        if !self.mesh.libraries.iter().any(|(known, _)| *known == names) {
-            self.room("`mtllib` lines", self.mesh.libraries.len() as u64, self.limits.mtl_files as u64)?;
-            self.mesh.libraries.push((names, self.line));
-        }
-        Ok(())
-    }
-
     fn finish(self) -> Result<Mesh, Error> {
         let mut mesh = self.mesh;
         if mesh.triangles.is_empty() {
-            let found = format!("found {} vertices and no triangle to draw", mesh.positions.len());
+            // Why there is none may well be in the notes, which an error would lose.
+            let vertices = format!("found {} vertices and no triangle to draw", mesh.positions.len());
+            let notes = self.warnings.first(MOST_NOTES).map(ToString::to_string);
+            let found = iter::once(vertices).chain(notes).collect::<Vec<_>>().join("; ");
             return Err(Error::Empty { file: self.file.to_owned(), found });
         }
         // No triangle has them any more; whoever takes bounds must not meet them.

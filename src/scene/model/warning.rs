@@ -55,6 +55,11 @@ impl Warnings {
         }
     }
 
+    /// The first so many, in the order in which they were met.
+    pub fn first(&self, most: usize) -> impl Iterator<Item = &Warning> {
+        self.list.iter().take(most)
+    }
+
     /// In the order in which they were met; the last one tells how many more there were.
     #[must_use]
     pub fn into_vec(mut self) -> Vec<Warning> {
