@@ -103,6 +103,14 @@ fn several_frames_in_one_png_move() {
     let file = std::io::BufReader::new(fs::File::open(folder.path().join("all.png")).expect("a file"));
     let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
     assert_eq!(reader.info().animation_control().map(|c| (c.num_frames, c.num_plays)), Some((3, 0)));
+    let told = |frames: &str| {
+        let arguments = ["render", moving.as_str(), "-o", "g##.png", "--dry-run", "--frames", frames];
+        words(&run(folder.path(), &arguments, &SMALL))
+    };
+    let beyond =
+        "moving.toml: frame 0 and 1 others are outside of its 1 to 3: keys stand still there, orbits go on";
+    assert!(told("0-4").contains(beyond), "{}", told("0-4"));
+    assert_eq!(told("1-3"), "");
     for number in 1..=3 {
         let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
         reader.next_frame(&mut bytes).expect("a frame");

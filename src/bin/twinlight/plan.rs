@@ -68,6 +68,21 @@ pub(crate) fn plan(sources: &[Source], names: &Names<'_>) -> Result<Vec<Picture>
     Ok(pictures)
 }
 
+/// Sentences about frames that an animation does not have: they are rendered as its keys and orbits go on.
+pub(crate) fn beyond(sources: &[Source], frames: &Frames) -> Vec<String> {
+    let told = sources.iter().filter_map(|source| {
+        let (last, _) = source.frames()?;
+        let mut outside = frames.0.iter().filter(|frame| !(1..=i64::from(last)).contains(frame));
+        let (first, more) = (outside.next()?, outside.count());
+        let others = if more > 0 { format!(" and {more} others are") } else { " is".to_owned() };
+        let scene = source.path().display();
+        Some(format!(
+            "{scene}: frame {first}{others} outside of its 1 to {last}: keys stand still there, orbits go on"
+        ))
+    });
+    told.collect()
+}
+
 fn of_scene(
     scene: usize,
     source: &Source,

@@ -1,6 +1,7 @@
 //! how far the work is -> a bar, lines of JSON, or nothing
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -13,7 +14,8 @@ pub(crate) enum Kind {
     /// A bar with the time left, on a terminal; nothing on a pipe.
     #[default]
     Bar,
-    /// Lines of JSON: picture, its number, of how many, and the fraction of all that is done.
+    /// Lines of JSON: picture, its number, of how many, and the fraction of all that is done; `building` in its place is
+    /// the fraction of the picture's tree, if that takes longer than a moment.
     Json,
     /// Nothing.
     None,
@@ -55,9 +57,7 @@ impl Progress {
         let all = (self.number as f64 + fraction) / self.pictures as f64;
         self.bar.set_prefix("");
         self.bar.set_position((all * 1000.0) as u64);
-        let due = self.told.is_none_or(|told| told.elapsed() >= EVERY) || fraction >= 1.0;
-        if self.kind == Kind::Json && due {
-            self.told = Some(Instant::now());
+        if self.kind == Kind::Json && (due(&mut self.told) || fraction >= 1.0) {
             let line = serde_json::json!({
                 "picture": self.name, "number": self.number + 1, "of": self.pictures, "done": all
             });
@@ -67,10 +67,19 @@ impl Progress {
 
     /// For who builds a tree: tells how much of it is there once that takes longer than a moment, and when to stop.
     pub(crate) fn building<'a>(&self, stop: &'a Stop) -> impl Fn(f64) -> ControlFlow<()> + Sync + use<'a> {
-        let (bar, begun) = (self.bar.clone(), Instant::now());
+        let (bar, begun, told) = (self.bar.clone(), Instant::now(), Mutex::new(None));
+        let picture = (self.kind == Kind::Json).then(|| (self.name.clone(), self.number + 1, self.pictures));
         move |share| {
             if begun.elapsed() > MOMENT {
                 bar.set_prefix(format!(" (building the tree: {:.0} %)", share * 100.0));
+                // Whoever finds it locked is being told.
+                if let (Some((name, number, of)), Ok(mut told)) = (&picture, told.try_lock())
+                    && due(&mut told)
+                {
+                    let line =
+                        serde_json::json!({ "picture": name, "number": number, "of": of, "building": share });
+                    eprintln!("{line}");
+                }
             }
             if stop.why().is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
@@ -94,6 +103,15 @@ impl Progress {
     pub(crate) fn end(&self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// Whether it is time to tell something again; then it is told now.
+fn due(told: &mut Option<Instant>) -> bool {
+    let due = told.is_none_or(|told| told.elapsed() >= EVERY);
+    if due {
+        *told = Some(Instant::now());
+    }
+    due
 }
 
 /// A bar with the time left, on a terminal; nothing on a pipe.

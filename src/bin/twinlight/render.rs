@@ -11,7 +11,7 @@ use twinlight::render::Backend;
 use crate::call::Call;
 use crate::frames::{Frames, frames};
 use crate::job::{Failure, Job, Keep};
-use crate::plan::{Names, plan};
+use crate::plan::{Names, beyond, plan};
 use crate::progress;
 use crate::stop::{Stop, time};
 
@@ -136,6 +136,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         samples: arguments.sample_range.as_ref(),
     };
     let pictures = plan(&sources, &names)?;
+    for note in names.frames.iter().flat_map(|frames| beyond(&sources, frames)) {
+        eprintln!("note: {note}");
+    }
     let call = Call { arguments, sources: &sources, stop: &stop };
     if arguments.dry_run {
         for picture in &pictures {
